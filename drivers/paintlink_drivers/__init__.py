@@ -1,0 +1,1 @@
+"""Instrument drivers, one module each; the file name is the driver id."""

@@ -1,0 +1,3 @@
+"""paintlink: from multi-angle spectrophotometer to paint formula."""
+
+__version__ = "0.1.0"

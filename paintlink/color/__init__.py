@@ -1,0 +1,1 @@
+"""Pure colour numerics: spectra to Lab, differences, indices, curves, display."""

@@ -1,0 +1,1 @@
+"""The service: journal, pipeline, workers, devices."""

@@ -1,0 +1,1 @@
+"""Readings and specifications that arrive as files."""

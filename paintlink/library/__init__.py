@@ -1,0 +1,1 @@
+"""The paint library: bundled data, table, filters."""

@@ -1,0 +1,77 @@
+"""Known paints and how a target compares with them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from paintlink.errors import LibraryError
+from paintlink.model._base import Finish, FloatArray, Observer
+from paintlink.model._spec import AngleDifference
+
+
+@dataclass(frozen=True, slots=True)
+class Match:
+    """One known paint beside a target, with everything the numbers depend on.
+
+    ``total`` is the sum of the differences over ``angles_deg``; differences are target
+    minus paint. ``words`` says them the way a painter does.
+    """
+
+    rank: int
+    paint_id: int
+    code: str
+    name: str
+    finish: Finish
+    total: float
+    differences: tuple[AngleDifference, ...]
+    words: str
+    formula: str
+    angles_deg: tuple[float, ...]
+    observer: Observer
+    library: str
+    generation: str
+
+    @property
+    def mean(self) -> float:
+        """Mean difference per angle."""
+        return self.total / len(self.differences)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PaintTable:
+    """A library in memory: one row per paint, ordered by its stable id.
+
+    Parameters
+    ----------
+    ids
+        Stable identifiers, ascending, shape (n,).
+    angles_deg
+        Aspecular angles of the Lab columns, ascending, shape (m,).
+    lab
+        D65, shape (n, m, 3).
+    """
+
+    library: str
+    generation: str
+    synthetic: bool
+    observer: Observer
+    ids: NDArray[np.int64]
+    codes: tuple[str, ...]
+    names: tuple[str, ...]
+    finishes: tuple[Finish, ...]
+    angles_deg: tuple[float, ...]
+    lab: FloatArray
+    gloss_gu: FloatArray | None = None
+
+    def __post_init__(self) -> None:
+        rows = {len(self.ids), len(self.codes), len(self.names), len(self.finishes)}
+        shape = (len(self.ids), len(self.angles_deg), 3)
+        if len(rows) != 1 or self.lab.shape != shape:
+            msg = f"library {self.library}: columns of different length"
+            raise LibraryError(msg)
+
+    def __len__(self) -> int:
+        return len(self.codes)

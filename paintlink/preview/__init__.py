@@ -1,0 +1,1 @@
+"""Pictures of paint from its aspecular curve."""

@@ -1,0 +1,1 @@
+"""Exact nearest-paint search and what its answer says."""

@@ -1,0 +1,1 @@
+"""The XML colour specification: schema, hardened reader, canonical writer."""

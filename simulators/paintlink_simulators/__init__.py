@@ -1,0 +1,1 @@
+"""Simulated instruments, one module each; the file name is the driver id."""

@@ -1,0 +1,1 @@
+"""Places a simulated instrument can be reached at: memory, pty, TCP."""
