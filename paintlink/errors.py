@@ -6,6 +6,8 @@ says what happened, where, and what the person at the instrument can do about it
 
 from __future__ import annotations
 
+from typing import Literal
+
 
 class PaintlinkError(Exception):
     """Root of every expected error; shown without a traceback.
@@ -135,10 +137,24 @@ class CancelledError(PaintlinkError):
     exit_code = 130
 
 
+ExportFault = Literal[
+    "format", "starting-paint", "name", "exists", "gone", "missing", "not-a-folder",
+    "denied", "read-only", "full", "io",
+]  # fmt: skip
+
+
 class ExportError(PaintlinkError):
-    """Keep the job and raise an alarm: a file could not be written or delivered."""
+    """Keep the job and raise an alarm: a file could not be written or delivered.
+
+    ``kind`` tells what a person can repair in the folder, after which a repeat works,
+    from what no repeat cures: ``format``, ``starting-paint``, ``name``, ``exists``.
+    """
 
     exit_code = 5
+
+    def __init__(self, message: str, *, kind: ExportFault = "io") -> None:
+        self.kind = kind
+        super().__init__(message)
 
 
 class PreviewError(PaintlinkError):

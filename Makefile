@@ -1,0 +1,49 @@
+# Two commands do everything on a fresh machine: `make demo` and `make test`.
+
+PYTHON ?= $(shell command -v python3.11 || command -v python3)
+VENV := .venv
+BIN := $(VENV)/bin
+DEMO := demo
+
+.PHONY: help demo test proof bench lint format coverage clean
+
+help: ## Show this list.
+	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
+
+$(VENV)/installed: pyproject.toml constraints.txt
+	@test -n "$(PYTHON)" || { echo "Python 3.11 or newer is needed"; exit 2; }
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check \
+	    --constraint constraints.txt --editable .
+	@touch $@
+
+$(VENV)/developed: $(VENV)/installed
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check \
+	    --constraint constraints.txt --editable '.[dev]'
+	@touch $@
+
+demo: $(VENV)/installed ## Run the whole line once on simulated instruments, into ./demo.
+	$(BIN)/paintlink demo --once --no-web --dir $(DEMO)
+
+lint: $(VENV)/developed ## Style, types, import contracts.
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+test: lint ## Every check but the long proofs.
+	$(BIN)/python -m pytest -q -m "not proof" \
+	    --cov --cov-report=term:skip-covered
+
+proof: $(VENV)/developed ## The long proofs: kill sweeps, fuzzing at full count.
+	$(BIN)/python -m pytest -q -m proof
+
+bench: $(VENV)/developed ## Measure; figures are ratios within one run.
+	@for script in benchmarks/*.py; do echo "== $$script"; $(BIN)/python $$script; done
+
+format: $(VENV)/developed ## Lay out the code.
+	$(BIN)/ruff format .
+	$(BIN)/ruff check --fix .
+
+clean: ## Remove what was built.
+	rm -rf $(VENV) build dist demo .mypy_cache .pytest_cache .ruff_cache .coverage

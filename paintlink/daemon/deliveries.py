@@ -1,0 +1,103 @@
+"""The journal's ledger of files on their way into other programs' folders."""
+
+from __future__ import annotations
+
+import sqlite3
+from dataclasses import replace
+
+from paintlink.daemon.database import Database
+from paintlink.daemon.records import Delivery, DeliveryState, Job
+
+
+class Deliveries:
+    """State of every delivery; see `paintlink.daemon.records.DeliveryState`."""
+
+    def __init__(self, database: Database) -> None:
+        self._db = database
+
+    def open(self, job_id: int, route: str, folder: str, *, copy: int) -> None:
+        """Add a delivery inside the caller's transaction; a repeat changes nothing."""
+        self._db.run(
+            "INSERT OR IGNORE INTO deliveries (job_id, route, copy, folder, state) "
+            "VALUES (?, ?, ?, ?, 'pending')",
+            job_id,
+            route,
+            copy,
+            folder,
+        )
+
+    def due(self, now_s: float) -> Delivery | None:
+        """The delivery to work on next: interrupted ones first.
+
+        None is staged into a folder where another one is still being published:
+        staging would make a lost staging folder anew and hide the loss.
+        """
+        row = self._db.one(
+            "SELECT * FROM deliveries AS d WHERE state IN ('pending', 'publishing') "
+            "AND retry_at <= ? AND (state = 'publishing' OR NOT EXISTS ("
+            "SELECT 1 FROM deliveries WHERE state = 'publishing' "
+            "AND folder = d.folder)) ORDER BY state DESC, retry_at, id LIMIT 1",
+            now_s,
+        )
+        return delivery_from_row(row) if row else None
+
+    def next_retry_s(self) -> float | None:
+        """When the next postponed delivery becomes due, in seconds since 1970."""
+        row = self._db.one(
+            "SELECT min(retry_at) FROM deliveries "
+            "WHERE state IN ('pending', 'publishing')"
+        )
+        return None if row is None or row[0] is None else float(row[0])
+
+    def written(self) -> tuple[Delivery, ...]:
+        """Files that lay in their folder when last looked at."""
+        rows = self._db.all("SELECT * FROM deliveries WHERE state = 'written'")
+        return tuple(delivery_from_row(row) for row in rows)
+
+    def set_publishing(self, delivery: Delivery, name: str, sha256: str) -> Delivery:
+        """The delivery, its staged file on disk, which from here on is the token."""
+        with self._db.transaction():
+            self._db.update(
+                "deliveries", delivery.id, state="publishing", name=name, sha256=sha256
+            )
+        return replace(delivery, state="publishing", name=name, sha256=sha256)
+
+    def settle(self, delivery: Delivery, state: DeliveryState, note: str = "") -> None:
+        """Move a delivery to ``written``, ``taken``, ``unknown`` or ``failed``."""
+        columns = {"written_at": self._db.stamp()} if state == "written" else {}
+        if state in {"unknown", "failed"}:
+            columns["error"] = note
+        with self._db.transaction():
+            self._db.update("deliveries", delivery.id, state=state, **columns)
+            self._db.log(delivery.job_id, state, f"{delivery.route} {note}".strip())
+
+    def postpone(self, delivery: Delivery, retry_at_s: float, error: str) -> None:
+        """Try again later, from the same state.
+
+        A staged file may already have been published when the error came: going back
+        to ``pending`` would write it twice.
+        """
+        with self._db.transaction():
+            self._db.update(
+                "deliveries",
+                delivery.id,
+                retry_at=retry_at_s,
+                attempts=delivery.attempts + 1,
+                error=error,
+            )
+            if delivery.attempts == 0:
+                self._db.log(delivery.job_id, "postponed", f"{delivery.route}: {error}")
+
+    def unfinished(self, job: Job) -> int:
+        """Deliveries of a job that are not yet in their folder."""
+        row = self._db.one(
+            "SELECT count(*) FROM deliveries WHERE job_id = ? "
+            "AND state IN ('pending', 'publishing')",
+            job.id,
+        )
+        return int(row[0]) if row else 0
+
+
+def delivery_from_row(row: sqlite3.Row) -> Delivery:
+    """A row of the table as the rest of the program sees it."""
+    return Delivery(**{name: row[name] for name in Delivery.__slots__})

@@ -1,0 +1,167 @@
+"""The line: from a stored reading to files in other programs' folders.
+
+Every step may be repeated; a crash between any two of them loses nothing and delivers
+nothing twice.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from datetime import datetime
+from pathlib import Path
+
+from paintlink.config import RouteSettings, Settings
+from paintlink.daemon.journal import Journal
+from paintlink.daemon.pipeline import match, open_routes, retry_delay_s, specify
+from paintlink.daemon.records import Delivery, Job
+from paintlink.errors import ExportError, InputError
+from paintlink.export import (
+    ExportFile,
+    Format,
+    JobFacts,
+    outcome,
+    publish,
+    render,
+    stage,
+)
+from paintlink.model import PaintTable
+
+log = logging.getLogger(__name__)
+
+
+class Line:
+    """Works on the oldest waiting thing first, one durable step at a time.
+
+    Parameters
+    ----------
+    clock
+        Seconds since 1970; retry times are kept in the journal and outlive a restart.
+    """
+
+    def __init__(
+        self,
+        journal: Journal,
+        settings: Settings,
+        *,
+        table: PaintTable,
+        formats: Mapping[str, Format],
+        clock: Callable[[], float],
+    ) -> None:
+        self._journal = journal
+        self._settings = settings
+        self._table = table
+        self._formats = formats
+        self._clock = clock
+
+    def step(self) -> bool:
+        """Do one piece of work; False when nothing is waiting."""
+        return self._specify() or self._match() or self._deliver()
+
+    def look_for_taken(self) -> None:
+        """Note the files that the other program has taken out of its folder."""
+        for delivery in self._journal.deliveries.written():
+            folder = Path(delivery.folder)
+            if folder.is_dir() and not (folder / delivery.name).exists():
+                self._journal.deliveries.settle(delivery, "taken", delivery.name)
+
+    def _specify(self) -> bool:
+        job = self._journal.waiting("received")
+        if job is None:
+            return False
+        if job.reading_id is None:
+            self._journal.fail(job, "the journal holds no reading for this job")
+            return True
+        try:
+            spec = specify(self._journal.reading(job.reading_id))
+        except InputError as error:
+            self._fail(job, error)
+        else:
+            self._journal.set_specified(job, spec)
+        return True
+
+    def _match(self) -> bool:
+        job = self._journal.waiting("specified")
+        if job is None or job.spec is None:
+            return False
+        try:
+            spec, matches = match(job.spec, self._table, self._settings.snap)
+        except InputError as error:
+            self._fail(job, error)
+            return True
+        routes = open_routes(self._settings.routes, job.origin)
+        self._journal.set_matched(
+            job, spec, matches, [(route.name, str(route.folder)) for route in routes]
+        )
+        if self._settings.preview.enabled:
+            self._journal.request_preview(job)
+        if not routes:
+            self._journal.finish(job, f"no route accepts {job.origin} readings")
+        log.info("%s nearest %s", job.token, matches[0].code)
+        return True
+
+    def _deliver(self) -> bool:
+        delivery = self._journal.deliveries.due(self._clock())
+        if delivery is None:
+            return False
+        job = self._journal.job_by_id(delivery.job_id)
+        try:
+            if delivery.state == "pending":
+                delivery = self._stage(delivery, job)
+            self._publish(delivery)
+        except ExportError as error:
+            retry_at = self._clock() + retry_delay_s(delivery.attempts)
+            self._journal.deliveries.postpone(delivery, retry_at, str(error))
+            log.warning("%s %s: %s", job.token, delivery.route, error)
+            return True
+        if self._journal.deliveries.unfinished(job) == 0:
+            self._journal.finish(job, "every route served")
+        return True
+
+    def _stage(self, delivery: Delivery, job: Job) -> Delivery:
+        route = self._route(delivery)
+        file = self._render(route, job, delivery.copy)
+        stage(Path(delivery.folder), delivery.token, file.data, mode=route.mode_bits)
+        return self._journal.deliveries.set_publishing(delivery, file.name, file.sha256)
+
+    def _render(self, route: RouteSettings, job: Job, copy: int) -> ExportFile:
+        if job.spec is None or route.format not in self._formats:
+            msg = (
+                f"route {route.name}: no export format {route.format}; "
+                f"there are {', '.join(sorted(self._formats))}"
+            )
+            raise ExportError(msg, kind="format")
+        chosen = self._formats[route.format]
+        if route.pattern is not None:
+            chosen = replace(chosen, name_pattern=route.pattern)
+        created = datetime.fromisoformat(job.created_at)
+        return render(
+            job.spec, chosen, job=JobFacts(job.token, created, job.origin, copy)
+        )
+
+    def _publish(self, delivery: Delivery) -> None:
+        folder = Path(delivery.folder)
+        state = outcome(folder, delivery.token)
+        if state == "unknown":
+            note = f"{folder}/.paintlink is gone: look whether {delivery.name} arrived"
+            self._journal.deliveries.settle(delivery, "unknown", note)
+            return
+        if state == "staged":
+            publish(folder, delivery.token, delivery.name)
+        self._journal.deliveries.settle(delivery, "written", delivery.name)
+        log.info("%s wrote %s", delivery.route, delivery.name)
+
+    def _route(self, delivery: Delivery) -> RouteSettings:
+        for route in self._settings.routes:
+            if route.name == delivery.route:
+                return route
+        msg = (
+            f"route {delivery.route} is no longer in the configuration: "
+            "put it back, or close the delivery with `paintlink jobs`"
+        )
+        raise ExportError(msg)
+
+    def _fail(self, job: Job, error: InputError) -> None:
+        log.warning("%s failed: %s", job.token, error)
+        self._journal.fail(job, str(error))

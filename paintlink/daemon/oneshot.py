@@ -1,0 +1,70 @@
+"""One reading by hand, through the same journal and line as the service."""
+
+from __future__ import annotations
+
+import time
+
+from paintlink.config import Settings
+from paintlink.daemon.journal import Journal
+from paintlink.daemon.line import Line
+from paintlink.daemon.records import Job
+from paintlink.daemon.render import Render
+from paintlink.daemon.roles import RoleLocks
+from paintlink.errors import ConfigError, JournalError
+from paintlink.export import load_formats
+from paintlink.library import bundled
+from paintlink.model import Reading
+
+SERVICE_LIMIT_S = 30.0
+LOOK_EVERY_S = 0.1
+
+
+def process(settings: Settings, reading: Reading, source: str) -> Job:
+    """The job of a reading, worked on here or by the service that runs already.
+
+    The reading is stored first; whatever happens later, it is not lost.
+    """
+    with Journal(settings.journal_path) as journal:
+        token = journal.accept_reading(reading, source=source)
+        try:
+            locks = RoleLocks(settings.state_folder, ("line", "render"))
+        except ConfigError:
+            return _wait_for_service(journal, token)
+        try:
+            _work(journal, settings)
+        finally:
+            locks.release()
+        return _job(journal, token)
+
+
+def _work(journal: Journal, settings: Settings) -> None:
+    line = Line(
+        journal,
+        settings,
+        table=bundled(),
+        formats=load_formats(settings.formats_folder),
+        clock=time.time,
+    )
+    render = Render(journal, settings.preview, settings.previews_folder)
+    while line.step():
+        pass
+    while render.step():
+        pass
+
+
+def _wait_for_service(journal: Journal, token: str) -> Job:
+    deadline = time.monotonic() + SERVICE_LIMIT_S
+    while time.monotonic() < deadline:
+        job = _job(journal, token)
+        if job.state in {"done", "failed"}:
+            return job
+        time.sleep(LOOK_EVERY_S)
+    return _job(journal, token)
+
+
+def _job(journal: Journal, token: str) -> Job:
+    job = journal.job(token)
+    if job is None:
+        msg = f"the journal lost job {token}: run `paintlink jobs list`"
+        raise JournalError(msg)
+    return job

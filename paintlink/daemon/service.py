@@ -1,0 +1,178 @@
+"""The service: instruments, inbox, line and pictures around one journal."""
+
+from __future__ import annotations
+
+import logging
+import threading
+import time
+from collections.abc import Callable, Sequence
+
+from paintlink.config import Settings
+from paintlink.daemon.inbox import InboxWorker
+from paintlink.daemon.instruments import InstrumentWorker, NameSample, default_sample
+from paintlink.daemon.journal import Journal
+from paintlink.daemon.line import Line
+from paintlink.daemon.render import Render
+from paintlink.daemon.roles import ROLES, Role, RoleLocks
+from paintlink.daemon.worker import Worker
+from paintlink.export import load_formats
+from paintlink.intake import Inbox, InboxFolders
+from paintlink.library import bundled
+
+log = logging.getLogger(__name__)
+
+STOP_LIMIT_S = 5.0
+STALL_S = 60.0
+
+
+class Service:
+    """Everything `paintlink run` runs, as threads of one process.
+
+    Parameters
+    ----------
+    roles
+        The parts to run here; other processes may run the others on the same state.
+    readings
+        Readings each instrument takes before it ends; None means no end.
+    name_sample
+        Name of the next sample, from the instrument's name.
+    """
+
+    def __init__(
+        self,
+        settings: Settings,
+        *,
+        roles: Sequence[Role] = ROLES,
+        readings: int | None = None,
+        name_sample: NameSample = default_sample,
+    ) -> None:
+        self.settings = settings
+        self.stopped = threading.Event()
+        self._roles = tuple(dict.fromkeys(roles))
+        self._line: Worker | None = None
+        self._render: Worker | None = None
+        self._workers: list[Worker] = []
+        self._instruments = [
+            InstrumentWorker(
+                one,
+                settings.journal_path,
+                stop=self.stopped,
+                wake_line=self._wake_line,
+                name_sample=name_sample,
+                limit=readings,
+            )
+            for one in (settings.instruments if "intake" in roles else ())
+        ]
+
+    def start(self) -> None:
+        """Open the journal, take the roles and start every thread.
+
+        Raises
+        ------
+        ConfigError
+            When another process has one of the roles.
+        JournalError
+            When the journal cannot be used.
+        """
+        self._locks = RoleLocks(self.settings.state_folder, self._roles)
+        Journal(self.settings.journal_path).close()
+        makers: dict[Role, Callable[[], Worker]] = {
+            "render": self._make_render,
+            "line": self._make_line,
+            "intake": self._make_intake,
+        }
+        for role in self._roles:
+            self._workers.append(makers[role]())
+        for thread in (*self._workers, *self._instruments):
+            thread.start()
+
+    def stop(self) -> None:
+        """End every thread; what is not finished is continued at the next start."""
+        self.stopped.set()
+        for worker in self._workers:
+            worker.wake()
+        deadline = time.monotonic() + STOP_LIMIT_S
+        for thread in (*self._workers, *self._instruments):
+            thread.join(max(0.0, deadline - time.monotonic()))
+        self._locks.release()
+
+    def wait_until_read(self, timeout_s: float) -> bool:
+        """Whether every instrument took its readings within the time."""
+        deadline = time.monotonic() + timeout_s
+        for thread in self._instruments:
+            thread.join(max(0.0, deadline - time.monotonic()))
+        return not any(thread.is_alive() for thread in self._instruments)
+
+    def wait_until_done(self, timeout_s: float) -> bool:
+        """Whether line and pictures ran out of work within the time."""
+        deadline = time.monotonic() + timeout_s
+        return all(
+            worker.idle.wait(max(0.0, deadline - time.monotonic()))
+            for worker in (self._line, self._render)
+            if worker is not None
+        )
+
+    def makes_progress(self) -> bool:
+        """Whether every worker has come round within the last minute."""
+        now = time.monotonic()
+        return all(now - one.last_beat_s < STALL_S for one in self._workers)
+
+    def _wake_line(self) -> None:
+        if self._line is not None:
+            self._line.wake()
+
+    def _make_line(self) -> Worker:
+        def make_step() -> Callable[[], bool]:
+            line = Line(
+                Journal(self.settings.journal_path),
+                self.settings,
+                table=bundled(),
+                formats=load_formats(self.settings.formats_folder),
+                clock=time.time,
+            )
+
+            def step() -> bool:
+                worked = line.step()
+                if worked and self._render is not None:
+                    self._render.wake()
+                if not worked:
+                    line.look_for_taken()
+                return worked
+
+            return step
+
+        self._line = Worker("line", make_step, stop=self.stopped, idle_s=1.0)
+        return self._line
+
+    def _make_render(self) -> Worker:
+        def make_step() -> Callable[[], bool]:
+            journal = Journal(self.settings.journal_path)
+            folder = self.settings.previews_folder
+            return Render(journal, self.settings.preview, folder).step
+
+        self._render = Worker("render", make_step, stop=self.stopped, idle_s=1.0)
+        return self._render
+
+    def _make_intake(self) -> Worker:
+        def make_step() -> Callable[[], bool]:
+            rules = self.settings.inbox
+            folders = InboxFolders.below(self.settings.site_folder, rules.folder)
+            folders.create()
+            inbox = Inbox(
+                folders,
+                quiet_s=rules.quiet_s,
+                max_bytes=rules.max_bytes,
+                clock=time.monotonic,
+            )
+            worker = InboxWorker(Journal(self.settings.journal_path), inbox)
+
+            def step() -> bool:
+                worked = worker.step()
+                if worked:
+                    self._wake_line()
+                return worked
+
+            return step
+
+        poll_s = self.settings.inbox.poll_s
+        return Worker("inbox", make_step, stop=self.stopped, idle_s=poll_s)
