@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 
-@click.command("convert")
+@click.command("convert", short_help="Convert a specification to another format.")
 @click.argument("spec", type=click.Path(path_type=Path))
 @click.option(
     "--to",

@@ -11,7 +11,7 @@ from paintlink.cli.output import json_option, number_text, print_json
 
 if TYPE_CHECKING:
     from paintlink.daemon.demo import Shop
-    from paintlink.daemon.records import Job
+    from paintlink.daemon.records import Job, Preview
     from paintlink.daemon.service import Service
 
 READ_LIMIT_S = 60.0
@@ -20,7 +20,7 @@ PRESS_ONCE_S = 0.2
 PRESS_EVERY_S = 5.0
 
 
-@click.command("demo")
+@click.command("demo", short_help="Run the whole line on simulated instruments.")
 @click.option(
     "--dir",
     "folder",
@@ -72,7 +72,7 @@ def command(
         print_readings(jobs)
         click.echo(
             "Simulated instruments and a synthetic library: no real paint is named.\n"
-            f"Look around: paintlink jobs list --config {shop.write_config()}"
+            f"Look around: paintlink jobs list --config {shop.config_path}"
         )
 
 
@@ -89,6 +89,11 @@ def print_readings(jobs: tuple[Job, ...]) -> None:
     for label in facts[0]:
         table.add_row(label, *(fact.get(label, "-") for fact in facts))
     Console().print(table)
+    for job in jobs:
+        for text in _delivered(job):
+            click.echo(f"{job.source} delivered {text}")
+        if job.preview:
+            click.echo(f"{job.source} picture   {_picture(job.preview)}")
 
 
 def _facts(job: Job) -> dict[str, str]:
@@ -115,8 +120,6 @@ def _facts(job: Job) -> dict[str, str]:
         "total": f"{best.total:.2f} = {per_angle}",
         "": f"{best.formula} at {angles}, D65/{best.observer}",
         "in words": best.words,
-        "delivered": "\n".join(_delivered(job)),
-        "picture": _shown(job.preview.path) if job.preview else "-",
     }
 
 
@@ -125,6 +128,12 @@ def _delivered(job: Job) -> list[str]:
         _shown(f"{one.folder}/{one.name}") if one.name else f"{one.state}: {one.error}"
         for one in job.deliveries
     ]
+
+
+def _picture(preview: Preview) -> str:
+    if preview.state == "done":
+        return _shown(preview.path)
+    return f"{preview.state} {preview.note}".strip()
 
 
 def _shown(path: str) -> str:

@@ -9,7 +9,7 @@ import click
 from paintlink.cli.output import json_option, print_json
 
 
-@click.command("export")
+@click.command("export", short_help="Deliver a specification into a watched folder.")
 @click.argument("spec", type=click.Path(path_type=Path))
 @click.option(
     "--format",

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from paintlink.model import Finish, Reading
 
 
-@click.command("measure")
+@click.command("measure", short_help="Take one reading and send it down the line.")
 @click.argument("device")
 @click.option("--driver", help="Kind of instrument, when DEVICE is a port.")
 @click.option("--sample", help="Name of the sample; instrument and time if left out.")

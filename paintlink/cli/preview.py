@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
+if TYPE_CHECKING:
+    from paintlink.preview.picture import Backend
 
-@click.command("preview")
+
+@click.command("preview", short_help="Draw what the paint looks like.")
 @click.argument("specs", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option(
     "-o",
@@ -31,7 +35,7 @@ def command(
     object_id: str,
     light: str,
     size: int,
-    backend: str,
+    backend: Backend,
 ) -> None:
     """Draw the colour specification SPECS; two to four stand side by side.
 

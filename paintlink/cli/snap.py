@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 BAND_COLORS = {"green": "green", "amber": "yellow", "red": "red"}
 
 
-@click.command("snap")
+@click.command("snap", short_help="Find the nearest known paints.")
 @click.argument("spec", type=click.Path(path_type=Path))
 @click.option("-k", "--top", default=5, show_default=True, help="How many paints.")
 @click.option(

@@ -22,7 +22,7 @@ from paintlink.config import (
     SiteSettings,
     StateSettings,
 )
-from paintlink.errors import ConfigError
+from paintlink.errors import ConfigError, ReadingError
 from paintlink.instrument import modules_in_group
 from paintlink.library import bundled
 
@@ -68,7 +68,8 @@ class Shop:
     Parameters
     ----------
     folder
-        Everything is kept below it; a second demo goes on where the first ended.
+        Everything is kept below it; a second demo goes on where the first ended. The
+        file ``config_path`` in it shows the shop to the other commands.
     seed
         Decides panels and noise; None takes a new one.
     press_every_s
@@ -94,17 +95,13 @@ class Shop:
                 self._simulators[one.name], auto_press_after_s=press_every_s
             )
         self.settings = _settings(folder.resolve(), self._ports)
+        self.config_path = self.settings.site_folder / "paintlink.toml"
+        self.config_path.write_text(CONFIG, encoding="utf-8")
 
     def close(self) -> None:
         """Unplug every instrument."""
         for port in self._ports.values():
             port.close()
-
-    def write_config(self) -> Path:
-        """A configuration file with which the other commands see this shop."""
-        path = self.settings.site_folder / "paintlink.toml"
-        path.write_text(CONFIG, encoding="utf-8")
-        return path
 
     def lay_next_panel(self, instrument: str) -> str:
         """Name of a new panel, laid under the instrument."""
@@ -113,14 +110,17 @@ class Shop:
         return name
 
     def _panel(self) -> tuple[str, Any]:
+        """Name and panel of an aged paint that a surface can have."""
         effect = [row for row, one in enumerate(self._table.finishes) if one != "solid"]
-        row = int(self._rng.choice(effect))
         columns = [self._table.angles_deg.index(angle) for angle in PANEL_ANGLES_DEG]
-        shift = self._rng.normal(0.0, AGEING_LAB)
-        lab = self._table.lab[row, columns] + shift
-        lab[:, 0] = np.maximum(lab[:, 0], 1.0)
-        name = f"{self._table.names[row]}, aged"
-        return name, self._package.panel_from_lab(PANEL_ANGLES_DEG, lab, name)
+        while True:
+            row = int(self._rng.choice(effect))
+            lab = self._table.lab[row, columns] + self._rng.normal(0.0, AGEING_LAB)
+            name = f"{self._table.names[row]}, aged"
+            try:
+                return name, self._package.panel_from_lab(PANEL_ANGLES_DEG, lab, name)
+            except ReadingError:
+                continue
 
 
 def _simulators() -> tuple[Any, dict[str, Any]]:

@@ -15,6 +15,7 @@ from paintlink.daemon.session import Session
 from paintlink.errors import (
     CancelledError,
     InstrumentError,
+    JournalError,
     LinkError,
     LinkTimeoutError,
     NeedsCalibrationError,
@@ -66,29 +67,39 @@ class InstrumentWorker(threading.Thread):
         self._name_sample = name_sample
         self._left = limit
         self._identity = ""
+        self._delay_s = FIRST_RETRY_S
 
     def run(self) -> None:
         """Connect again for as long as nobody stops the service."""
         with Journal(self._journal_path) as journal:
             self._journal = journal
-            delay_s = FIRST_RETRY_S
-            while not self._finished():
-                try:
-                    self._connected()
-                    delay_s = FIRST_RETRY_S
-                except CancelledError:
-                    return
-                except (LinkError, ProtocolError, InstrumentError) as error:
-                    self._report("lost" if self._identity else "absent", str(error))
-                    self._stop_event.wait(delay_s)
-                    delay_s = min(delay_s * 2, LAST_RETRY_S)
+            while not self.finished:
+                self._try()
+                if not self.finished:
+                    self._stop_event.wait(self._delay_s)
+                    self._delay_s = min(self._delay_s * 2, LAST_RETRY_S)
+
+    def _try(self) -> None:
+        try:
+            self._connected()
+        except CancelledError:
+            log.debug("%s: stopped while waiting", self._settings.name)
+        except (LinkError, ProtocolError, InstrumentError) as error:
+            self._report("lost" if self._identity else "absent", str(error))
+        except JournalError:
+            log.exception("%s: the journal cannot be trusted", self.name)
+            self._stop_event.set()
+        except Exception as error:
+            log.exception("%s: a fault of the program", self.name)
+            self._report("lost", f"a fault of the program: {error}")
 
     def _connected(self) -> None:
         self._report("opening", f"opening {self._settings.port}")
         with Session(self._settings, cancelled=self._stop_event.is_set) as session:
             found = session.instrument
             self._identity = f"{found.maker} {found.model} {found.serial}".strip()
-            while not self._finished():
+            self._delay_s = FIRST_RETRY_S
+            while not self.finished:
                 self._one(session)
 
     def _one(self, session: Session) -> None:
@@ -100,7 +111,7 @@ class InstrumentWorker(threading.Thread):
         except NeedsCalibrationError as error:
             self._calibrate(session, str(error))
         except (ProtocolError, ReadingError) as error:
-            log.warning("%s: reading refused: %s", self._settings.name, error)
+            self._report("ready", f"reading refused, take it again: {error}")
         else:
             token = self._journal.accept_reading(reading, source=self._settings.name)
             log.info("%s %s stored", token, sample)
@@ -114,7 +125,9 @@ class InstrumentWorker(threading.Thread):
         except LinkTimeoutError as error:
             log.info("%s: calibration: %s", self._settings.name, error)
 
-    def _finished(self) -> bool:
+    @property
+    def finished(self) -> bool:
+        """Whether it was stopped, or took all the readings it was to take."""
         return self._stop_event.is_set() or self._left == 0
 
     def _ask_to_press(self, text: str) -> None:

@@ -101,7 +101,7 @@ class Service:
         deadline = time.monotonic() + timeout_s
         for thread in self._instruments:
             thread.join(max(0.0, deadline - time.monotonic()))
-        return not any(thread.is_alive() for thread in self._instruments)
+        return all(thread.finished for thread in self._instruments)
 
     def wait_until_done(self, timeout_s: float) -> bool:
         """Whether line and pictures ran out of work within the time."""

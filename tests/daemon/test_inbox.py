@@ -1,0 +1,96 @@
+"""The inbox at work: real files, a real journal."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from paintlink.daemon.inbox import InboxWorker
+from paintlink.daemon.journal import Journal
+from paintlink.intake import Inbox, InboxFolders
+from paintlink.spec import write_spec
+from tests.daemon.conftest import make_spec
+
+
+class Counter:
+    """A clock that is later at each look."""
+
+    def __init__(self) -> None:
+        self.now = 0.0
+
+    def __call__(self) -> float:
+        self.now += 1.0
+        return self.now
+
+
+@pytest.fixture
+def folders(tmp_path: Path) -> InboxFolders:
+    made = InboxFolders.below(tmp_path)
+    made.create()
+    return made
+
+
+@pytest.fixture
+def worker(journal: Journal, folders: InboxFolders) -> InboxWorker:
+    inbox = Inbox(folders, quiet_s=0.5, max_bytes=1 << 20, clock=Counter())
+    return InboxWorker(journal, inbox)
+
+
+def work(worker: InboxWorker) -> None:
+    worker.step()
+    while worker.step():
+        pass
+
+
+def test_specification_becomes_a_job(
+    worker: InboxWorker, journal: Journal, folders: InboxFolders
+) -> None:
+    (folders.inbox / "a.xml").write_bytes(write_spec(make_spec("from a file")))
+
+    work(worker)
+
+    (job,) = journal.jobs()
+    assert job.state == "specified"
+    assert job.spec == make_spec("from a file")
+    assert (folders.done / "a.xml").exists()
+
+
+def test_broken_file_is_kept_with_its_reason(
+    worker: InboxWorker, journal: Journal, folders: InboxFolders
+) -> None:
+    (folders.inbox / "a.xml").write_bytes(b"<not a specification")
+
+    work(worker)
+
+    assert journal.jobs() == ()
+    assert (folders.failed / "a.xml").read_bytes() == b"<not a specification"
+    reason = (folders.failed / "a.xml.reason.txt").read_text()
+    assert "a.xml" in reason
+    assert "line 1" in reason
+
+
+def test_same_content_again_is_a_duplicate(
+    worker: InboxWorker, journal: Journal, folders: InboxFolders
+) -> None:
+    for name in ("a.xml", "b.xml"):
+        (folders.inbox / name).write_bytes(write_spec(make_spec()))
+        work(worker)
+
+    assert len(journal.jobs()) == 1
+    reason = (folders.duplicate / "b.xml.reason.txt").read_text()
+    assert reason == "the same content was accepted before as a.xml\n"
+
+
+def test_stop_between_journal_and_move_is_no_duplicate(
+    worker: InboxWorker, journal: Journal, folders: InboxFolders
+) -> None:
+    (folders.inbox / "a.xml").write_bytes(write_spec(make_spec()))
+    work(worker)
+    (folders.done / "a.xml").rename(folders.working / "a.xml")
+
+    work(worker)
+
+    assert len(journal.jobs()) == 1
+    assert (folders.done / "a.xml").exists()
+    assert not list(folders.duplicate.iterdir())
