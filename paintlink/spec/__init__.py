@@ -1,1 +1,15 @@
 """The XML colour specification: schema, hardened reader, canonical writer."""
+
+from paintlink.spec.files import read_spec_file
+from paintlink.spec.reader import read_spec
+from paintlink.spec.schema import NAMESPACE, schema_path
+from paintlink.spec.writer import spec_id, write_spec
+
+__all__ = [
+    "NAMESPACE",
+    "read_spec",
+    "read_spec_file",
+    "schema_path",
+    "spec_id",
+    "write_spec",
+]
