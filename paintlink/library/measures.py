@@ -1,0 +1,85 @@
+"""What can be said about every paint of a library at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from paintlink.color import (
+    LEAVES,
+    TRAVEL_ANGLES_DEG,
+    Leaf,
+    chroma_index_array,
+    flop_index_array,
+    hue_shift_index_array,
+    leaf_indices,
+)
+from paintlink.library.lookup import column
+from paintlink.model import FINISHES, Finish, FloatArray, PaintTable
+
+USUAL_FLOP_LIMIT = 20.0
+"""The paper: over 96 % of colours have a flop index between 0 and this."""
+
+STEEP_FLOP_LIMIT = 25.0
+"""The paper: beyond this mostly very dark colours, where the index is unstable."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Indices:
+    """Indices of colour travel, one value per paint, NaN where undefined."""
+
+    flop: FloatArray
+    hue_shift: FloatArray
+    chroma: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class Statistics:
+    """How many paints of which kind, and how much the effect paints flop.
+
+    ``mean_flop_index`` and ``usual_flop_share`` leave solids out, and paints whose
+    flop index is undefined.
+    """
+
+    paints: int
+    by_finish: dict[Finish, int]
+    by_leaf: dict[Leaf, int]
+    mean_flop_index: float
+    usual_flop_share: float
+    steep_flop_paints: int
+
+
+def indices(table: PaintTable) -> Indices:
+    """Flop, hue shift and chroma index of every paint."""
+    lab = table.lab[:, [column(table, angle) for angle in TRAVEL_ANGLES_DEG]]
+    return Indices(
+        flop=flop_index_array(lab),
+        hue_shift=hue_shift_index_array(lab),
+        chroma=chroma_index_array(lab),
+    )
+
+
+def leaves(table: PaintTable) -> NDArray[np.int64]:
+    """Index into `paintlink.color.LEAVES` of every paint, -1 for unknown finishes."""
+    return leaf_indices(table.lab[:, column(table, 45.0)], table.finishes)
+
+
+def statistics(table: PaintTable) -> Statistics:
+    """Counts by finish and leaf, and the flop index of the effect paints."""
+    effect = np.array(table.finishes) != "solid"
+    flop = indices(table).flop[effect]
+    flop = flop[np.isfinite(flop)]
+    drawers = leaves(table)
+    return Statistics(
+        paints=len(table),
+        by_finish={finish: table.finishes.count(finish) for finish in FINISHES},
+        by_leaf={
+            leaf: int(np.count_nonzero(drawers == index))
+            for index, leaf in enumerate(LEAVES)
+        },
+        mean_flop_index=float(flop.mean()),
+        usual_flop_share=float(np.mean(flop <= USUAL_FLOP_LIMIT)),
+        steep_flop_paints=int(np.count_nonzero(flop > STEEP_FLOP_LIMIT)),
+    )
