@@ -1,0 +1,33 @@
+"""What the service is told: one TOML file, checked as a whole, as frozen settings."""
+
+from paintlink.config._explain import explain
+from paintlink.config._known import check_against
+from paintlink.config._load import default_settings, find_config, load_settings
+from paintlink.config._sections import (
+    InboxSettings,
+    InstrumentSettings,
+    LogSettings,
+    PreviewSettings,
+    RouteSettings,
+    SiteSettings,
+    SnapSettings,
+    StateSettings,
+)
+from paintlink.config.settings import Settings
+
+__all__ = [
+    "InboxSettings",
+    "InstrumentSettings",
+    "LogSettings",
+    "PreviewSettings",
+    "RouteSettings",
+    "Settings",
+    "SiteSettings",
+    "SnapSettings",
+    "StateSettings",
+    "check_against",
+    "default_settings",
+    "explain",
+    "find_config",
+    "load_settings",
+]

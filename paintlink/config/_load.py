@@ -1,0 +1,57 @@
+"""Settings from the first configuration file that is found, or the built-in ones."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from paintlink.config._overlay import overlay
+from paintlink.config._places import (
+    candidates,
+    inbox_folder,
+    is_absent,
+    site_folder,
+    state_folder,
+)
+from paintlink.config._sections import InboxSettings, SiteSettings, StateSettings
+from paintlink.config.settings import Settings
+
+
+def load_settings(path: Path | None = None, *, environ: Mapping[str, str]) -> Settings:
+    """Settings from ``path``, else from the first file found, else the built-in ones.
+
+    Parameters
+    ----------
+    environ
+        Names a file (``PAINTLINK_CONFIG``), the state folder (``STATE_DIRECTORY``) and
+        single keys (``PAINTLINK__SECTION__KEY``).
+
+    Raises
+    ------
+    ConfigError
+        Naming every fault of the file and the environment, a line each.
+    """
+    source = path or find_config(environ)
+    if source is None and not overlay(environ):
+        return default_settings(environ=environ)
+    from paintlink.config._check import checked
+
+    return checked(source, environ=environ)
+
+
+def find_config(environ: Mapping[str, str]) -> Path | None:
+    """The file in use when the command line names none; None when there is none."""
+    named = environ.get("PAINTLINK_CONFIG")
+    if named:
+        return Path(named)
+    return next((path for path in candidates() if not is_absent(path)), None)
+
+
+def default_settings(*, environ: Mapping[str, str]) -> Settings:
+    """Settings of somebody who has written none: no instrument and no route."""
+    site = site_folder(environ)
+    return Settings(
+        site=SiteSettings(folder=site),
+        state=StateSettings(folder=state_folder(environ)),
+        inbox=InboxSettings(folder=inbox_folder(site)),
+    )

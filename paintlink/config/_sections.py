@@ -1,0 +1,329 @@
+"""The sections of the configuration file.
+
+The fields of each class are the keys of the section: their types, limits, defaults and
+explanations are written down here and nowhere else.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Annotated, Literal
+
+from paintlink.config._keys import (
+    FileMode,
+    FilledText,
+    Folder,
+    Key,
+    NamePattern,
+    Options,
+    Rule,
+    number,
+    whole,
+)
+
+Origin = Literal["real", "simulated"]
+Baud = Literal[
+    300,
+    600,
+    1200,
+    2400,
+    4800,
+    9600,
+    19200,
+    38400,
+    57600,
+    115200,
+    230400,
+    460800,
+    921600,
+]
+Parity = Literal["none", "even", "odd"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SiteSettings:
+    """The shop or laboratory, and the folder where files come in and go out."""
+
+    folder: Annotated[
+        Folder,
+        Key(
+            "Below this folder lie inbox/ (colour files for paintlink), working/, "
+            "done/, failed/ and duplicate/ (where those files go next) and answers/ "
+            "(formulas from the formulation software). Make it a folder that "
+            "paintlink may write to.",
+            example="/srv/paintlink",
+            unset="the service uses the folder site/ inside its state folder; "
+            "without systemd it is site/ in your own data folder for paintlink",
+        ),
+    ]
+    name: Annotated[
+        FilledText,
+        Key("Your name for this place. It tells several shops apart."),
+    ] = "paintlink"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StateSettings:
+    """Where paintlink keeps its memory: the journal and the pictures."""
+
+    folder: Annotated[
+        Folder,
+        Key(
+            "Must lie on a disk of this computer, never on a network share: the "
+            "journal would not survive a power cut there. Include it in your backup.",
+            example="/var/lib/paintlink",
+            unset="the folder that systemd gives the service (/var/lib/paintlink), "
+            "or your own state folder for paintlink when systemd is not involved",
+        ),
+    ]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InstrumentSettings:
+    """A spectrophotometer and its connection. Repeat the block for each instrument."""
+
+    name: Annotated[
+        FilledText,
+        Key("Your name for it, seen on every reading. Each needs its own.", "bench"),
+    ]
+    driver: Annotated[
+        FilledText,
+        Key(
+            "Kind of instrument. `paintlink devices` lists the kinds it knows.",
+            "xrite_ma",
+        ),
+    ]
+    port: Annotated[
+        FilledText,
+        Key(
+            "Where it is plugged in. Use a name below /dev/serial/by-id: it stays the "
+            "same when cables are moved, /dev/ttyUSB0 does not. An instrument on a "
+            "network adapter has a URL, such as socket://192.168.1.20:4001.",
+            "/dev/serial/by-id/usb-FTDI_FT232R_USB_UART_A50285BI-if00-port0",
+        ),
+    ]
+    serial: Annotated[
+        str,
+        Key(
+            "Serial number from the type plate. Only needed where the instrument "
+            "cannot tell its own, so that readings can be traced to it."
+        ),
+    ] = ""
+    origin: Annotated[
+        Origin,
+        Key(
+            'Write "simulated" for anything that is not a real instrument: its '
+            "readings then stay out of every route that does not ask for them. A "
+            "simulator on a pseudo-terminal is always taken as simulated."
+        ),
+    ] = "real"
+    readings: Annotated[
+        int,
+        whole(1, 20),
+        Key(
+            "Readings averaged for one sample. More of them even out texture, dust "
+            "and the hand that holds the instrument."
+        ),
+    ] = 3
+    baud: Annotated[
+        Baud | None,
+        Key(
+            "Speed of the serial line in bits per second. Only for an instrument "
+            "whose speed was changed.",
+            9600,
+            "as the driver knows it",
+        ),
+    ] = None
+    bytesize: Annotated[
+        Literal[7, 8] | None,
+        Key("Data bits on the serial line.", 8, "as the driver knows it"),
+    ] = None
+    parity: Annotated[
+        Parity | None,
+        Key("Parity on the serial line.", "none", "as the driver knows it"),
+    ] = None
+    stopbits: Annotated[
+        Literal[1, 2] | None,
+        Key("Stop bits on the serial line.", 1, "as the driver knows it"),
+    ] = None
+    options: Annotated[
+        Options,
+        Key("Settings of this driver alone; its wire document explains them."),
+    ] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InboxSettings:
+    """The folder that takes colour files from people and other programs."""
+
+    folder: Annotated[
+        Folder,
+        Key(
+            "The folder to watch. No route may write into it.",
+            example="/srv/paintlink/inbox",
+            unset="the folder inbox/ inside the folder of [site]",
+        ),
+    ]
+    enabled: Annotated[bool, Key("Whether the folder is watched at all.")] = True
+    poll_s: Annotated[
+        float,
+        number(0.1, 3600),
+        Key(
+            "Seconds between two looks into the folder. For a folder on a network "
+            "share take 2: such folders do not report new files by themselves."
+        ),
+    ] = 10.0
+    quiet_s: Annotated[
+        float,
+        number(0.1, 3600),
+        Key(
+            "Seconds a file must stay unchanged before it is taken, so that no "
+            "half-written file is read. Raise it for a slow network."
+        ),
+    ] = 1.0
+    max_size_mib: Annotated[
+        int,
+        whole(1, 100),
+        Key(
+            "Largest file that is read, in MiB. A colour file is far smaller; "
+            "anything above this was put there by mistake."
+        ),
+    ] = 5
+    finish: Annotated[
+        Literal["solid", "metallic", "pearl", "unknown"],
+        Key("Finish of a colour whose file does not name one."),
+    ] = "unknown"
+
+    @property
+    def max_bytes(self) -> int:
+        """Largest file that is read, in bytes."""
+        return self.max_size_mib * 1024 * 1024
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SnapSettings:
+    """ColorSnap: how the nearest paints are found and judged."""
+
+    formula: Annotated[
+        FilledText,
+        Key(
+            "Colour difference formula. Which paint is nearest depends on it, so keep "
+            "one formula for all your work."
+        ),
+    ] = "cie76"
+    top: Annotated[int, whole(1, 1000), Key("Paints on the list of the nearest.")] = 20
+    green: Annotated[
+        float,
+        number(0, 100),
+        Key(
+            "Up to this mean difference per angle a paint is shown in green: a good "
+            "starting point for the formulation software, never a match by itself."
+        ),
+    ] = 1.5
+    amber: Annotated[
+        float,
+        number(0, 100),
+        Key("Up to this mean difference it is shown in amber, above it in red."),
+    ] = 3.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RouteSettings:
+    """A folder that another program watches. Repeat the block for each program."""
+
+    name: Annotated[
+        FilledText,
+        Key("Your name for the program behind the folder.", "colornet"),
+    ]
+    folder: Annotated[
+        Folder,
+        Key(
+            "The folder that the program watches, used by nothing else. paintlink "
+            "keeps a folder .paintlink in it: leave that alone.",
+            "/srv/paintlink/colornet",
+        ),
+    ]
+    format: Annotated[
+        FilledText,
+        Key("Format of the files, as `paintlink convert` names it.", "colornet"),
+    ]
+    enabled: Annotated[bool, Key("Whether files are written at all.")] = True
+    accept: Annotated[
+        tuple[Origin, ...],
+        Rule('a list of "real", "simulated" or both, such as ["real"]', bool),
+        Key(
+            "Readings that may go here. Simulated readings never reach a program "
+            "unless you ask for them."
+        ),
+    ] = ("real",)
+    pattern: Annotated[
+        NamePattern | None,
+        Key(
+            "Beginning of the file names, in which {date}, {time}, {name}, {code}, "
+            "{paint}, {format}, {copy} and {id6} stand for values of the job. "
+            "paintlink adds what keeps the names apart.",
+            "{date}_{name}",
+            "the pattern that belongs to the format",
+        ),
+    ] = None
+    mode: Annotated[
+        FileMode,
+        Key(
+            "Who may read (4) or read and change (6) the files: paintlink itself, its "
+            "group, everybody else."
+        ),
+    ] = "0664"
+    stale_min: Annotated[
+        float,
+        number(1, 10080),
+        Key(
+            "Minutes after which a file still lying in the folder raises an alarm: "
+            "the other program has probably stopped."
+        ),
+    ] = 15.0
+
+    @property
+    def mode_bits(self) -> int:
+        """Permission bits of a delivered file."""
+        return int(self.mode, 8)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PreviewSettings:
+    """The pictures of a paint."""
+
+    enabled: Annotated[bool, Key("Whether a picture is drawn for every job.")] = True
+    object: Annotated[
+        FilledText,
+        Key('What is painted in the picture: a "panel", a "sphere" or another form.'),
+    ] = "panel"
+    light: Annotated[
+        FilledText, Key('The light it stands in, such as "studio" or "sky".')
+    ] = "studio"
+    size: Annotated[
+        int, whole(16, 4096), Key("Width and height of a picture in pixels.")
+    ] = 512
+    backend: Annotated[
+        Literal["auto", "gl", "cpu"],
+        Key(
+            'What draws: "gl" the graphics hardware or driver, "cpu" plain '
+            'arithmetic, "auto" the first of the two that works here.'
+        ),
+    ] = "auto"
+    caption: Annotated[
+        bool,
+        Key("Whether the picture says what it shows, and that it is no colour match."),
+    ] = True
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LogSettings:
+    """The messages of the service (`journalctl -u paintlink` shows them)."""
+
+    level: Annotated[
+        Literal["debug", "info", "warning", "error"],
+        Key(
+            'The least important message to write. "info" tells the story of each '
+            'job; "debug" adds every byte exchanged with the instruments.'
+        ),
+    ] = "info"

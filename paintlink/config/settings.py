@@ -1,0 +1,67 @@
+"""What the service is told, complete and ready to be used."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from paintlink.config._places import is_absent
+from paintlink.config._sections import (
+    InboxSettings,
+    InstrumentSettings,
+    LogSettings,
+    PreviewSettings,
+    RouteSettings,
+    SiteSettings,
+    SnapSettings,
+    StateSettings,
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Settings:
+    """Everything the service was told; every folder is an absolute path.
+
+    ``source`` is the file the settings come from, None for the built-in ones.
+    """
+
+    site: SiteSettings
+    state: StateSettings
+    inbox: InboxSettings
+    instruments: tuple[InstrumentSettings, ...] = ()
+    snap: SnapSettings = field(default_factory=SnapSettings)
+    routes: tuple[RouteSettings, ...] = ()
+    preview: PreviewSettings = field(default_factory=PreviewSettings)
+    log: LogSettings = field(default_factory=LogSettings)
+    source: Path | None = None
+
+    @property
+    def site_folder(self) -> Path:
+        """Folder of the folders that files pass through."""
+        return self.site.folder
+
+    @property
+    def state_folder(self) -> Path:
+        """Folder of everything the service remembers."""
+        return self.state.folder
+
+    @property
+    def log_level(self) -> str:
+        """Least important message to write."""
+        return self.log.level
+
+    @property
+    def journal_path(self) -> Path:
+        """The journal, the only queue of the service."""
+        return self.state.folder / "journal.db"
+
+    @property
+    def previews_folder(self) -> Path:
+        """Folder of the pictures that were drawn."""
+        return self.state.folder / "previews"
+
+    @property
+    def formats_folder(self) -> Path | None:
+        """Folder ``formats`` beside the configuration file; None when there is none."""
+        folder = self.source.parent / "formats" if self.source else None
+        return None if folder is None or is_absent(folder) else folder
