@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from paintlink.color import FORMULAS
 from paintlink.config import Settings, check_against
 from paintlink.errors import ConfigError
 from paintlink.export import load_formats, probe
 from paintlink.instrument import drivers
+from paintlink.preview import light_names, object_names
 
 
 def check_settings(settings: Settings) -> None:
@@ -17,7 +19,14 @@ def check_settings(settings: Settings) -> None:
         Naming every fault at once.
     """
     formats = load_formats(settings.formats_folder)
-    check_against(settings, drivers=drivers(), formats=formats)
+    check_against(
+        settings,
+        drivers=drivers(),
+        formats=formats,
+        formulas=FORMULAS,
+        objects=object_names(),
+        lights=light_names(),
+    )
     faults = [
         f"[[route]] {route.name!r} folder: {problem}"
         for route in settings.routes

@@ -49,9 +49,10 @@ class Deliveries:
         )
         return None if row is None or row[0] is None else float(row[0])
 
-    def written(self) -> tuple[Delivery, ...]:
+    def lying(self) -> tuple[Delivery, ...]:
         """Files that lay in their folder when last looked at."""
-        rows = self._db.all("SELECT * FROM deliveries WHERE state = 'written'")
+        sql = "SELECT * FROM deliveries WHERE state IN ('written', 'stale')"
+        rows = self._db.all(sql)
         return tuple(delivery_from_row(row) for row in rows)
 
     def set_publishing(self, delivery: Delivery, name: str, sha256: str) -> Delivery:
@@ -63,10 +64,9 @@ class Deliveries:
         return replace(delivery, state="publishing", name=name, sha256=sha256)
 
     def settle(self, delivery: Delivery, state: DeliveryState, note: str = "") -> None:
-        """Move a delivery to ``written``, ``taken``, ``unknown`` or ``failed``."""
+        """Move a delivery to a state after ``publishing``; a note says why."""
         columns = {"written_at": self._db.stamp()} if state == "written" else {}
-        if state in {"unknown", "failed"}:
-            columns["error"] = note
+        columns["error"] = note if state in {"stale", "unknown", "failed"} else ""
         with self._db.transaction():
             self._db.update("deliveries", delivery.id, state=state, **columns)
             self._db.log(delivery.job_id, state, f"{delivery.route} {note}".strip())

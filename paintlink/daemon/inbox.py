@@ -4,21 +4,32 @@ from __future__ import annotations
 
 import hashlib
 import logging
+from dataclasses import replace
 
 from paintlink.daemon.journal import Journal
 from paintlink.errors import InputError
 from paintlink.intake import Claim, Inbox
+from paintlink.model import Finish
 from paintlink.spec import read_spec
 
 log = logging.getLogger(__name__)
 
 
 class InboxWorker:
-    """Takes ready files, stores each durably, and puts it where its fate belongs."""
+    """Takes ready files, stores each durably, and puts it where its fate belongs.
 
-    def __init__(self, journal: Journal, inbox: Inbox) -> None:
+    Parameters
+    ----------
+    finish
+        Taken for a specification that does not know its own.
+    """
+
+    def __init__(
+        self, journal: Journal, inbox: Inbox, *, finish: Finish = "unknown"
+    ) -> None:
         self._journal = journal
         self._inbox = inbox
+        self._finish = finish
 
     def step(self) -> bool:
         """Take one file; False when none is ready."""
@@ -38,6 +49,8 @@ class InboxWorker:
         known = self._journal.file_name(digest)
         if known is None:
             spec = read_spec(data, source=claim.path.name)
+            if spec.finish == "unknown":
+                spec = replace(spec, finish=self._finish)
             token = self._journal.accept_file(claim.path.name, digest, spec)
             log.info("%s accepted %s", token, claim.path.name)
         elif not claim.left_over:

@@ -59,12 +59,23 @@ class Line:
         """Do one piece of work; False when nothing is waiting."""
         return self._specify() or self._match() or self._deliver()
 
-    def look_for_taken(self) -> None:
-        """Note the files that the other program has taken out of its folder."""
-        for delivery in self._journal.deliveries.written():
+    def look_at_folders(self) -> None:
+        """Note which files the other programs have taken, and which lie too long."""
+        limits_s = {one.name: one.stale_min * 60.0 for one in self._settings.routes}
+        for delivery in self._journal.deliveries.lying():
             folder = Path(delivery.folder)
             if folder.is_dir() and not (folder / delivery.name).exists():
                 self._journal.deliveries.settle(delivery, "taken", delivery.name)
+            elif delivery.state == "written":
+                self._notice_stale(delivery, limits_s.get(delivery.route))
+
+    def _notice_stale(self, delivery: Delivery, limit_s: float | None) -> None:
+        written = datetime.fromisoformat(delivery.written_at).timestamp()
+        if limit_s is None or self._clock() - written < limit_s:
+            return
+        note = f"not taken for {limit_s / 60:g} minutes: is the other program running?"
+        self._journal.deliveries.settle(delivery, "stale", note)
+        log.warning("%s %s: %s", delivery.route, delivery.name, note)
 
     def _specify(self) -> bool:
         job = self._journal.waiting("received")
@@ -75,10 +86,9 @@ class Line:
             return True
         try:
             spec = specify(self._journal.reading(job.reading_id))
+            self._journal.set_specified(job, spec)
         except InputError as error:
             self._fail(job, error)
-        else:
-            self._journal.set_specified(job, spec)
         return True
 
     def _match(self) -> bool:

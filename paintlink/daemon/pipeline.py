@@ -2,21 +2,50 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Iterable
 from dataclasses import replace
 
 from paintlink.color import normalise
 from paintlink.config import RouteSettings, SnapSettings
-from paintlink.model import ColorSpec, Finish, Match, Origin, PaintTable, Reading
+from paintlink.model import (
+    ColorSpec,
+    Finish,
+    Instrument,
+    Match,
+    Origin,
+    PaintTable,
+    Reading,
+)
 from paintlink.snap import nearest, starting_paint
 
 FIRST_RETRY_S = 1.0
 LAST_RETRY_S = 300.0
+LONGEST_TEXT = 500
 
 
 def specify(reading: Reading, finish: Finish = "unknown") -> ColorSpec:
-    """The colour specification of a reading, under the name of its sample."""
-    return normalise(reading, name=reading.sample, finish=finish)
+    """The colour specification of a reading, under the name of its sample.
+
+    Characters that no XML file can carry are left out of what the instrument or the
+    operator typed; the reading keeps them.
+    """
+    instrument = reading.instrument
+    cleaned = replace(
+        reading,
+        instrument=Instrument(
+            _plain(instrument.maker),
+            _plain(instrument.model),
+            _plain(instrument.serial),
+            _plain(instrument.firmware),
+        ),
+    )
+    return normalise(cleaned, name=_plain(reading.sample), finish=finish)
+
+
+def _plain(text: str) -> str:
+    kept = (c for c in text if unicodedata.category(c) not in {"Cc", "Cs", "Cn"})
+    return "".join(kept)[:LONGEST_TEXT]
 
 
 def match(

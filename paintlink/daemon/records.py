@@ -9,7 +9,7 @@ from paintlink.model import ColorSpec, Match, Origin
 
 JobState = Literal["received", "specified", "matched", "done", "failed"]
 DeliveryState = Literal[
-    "pending", "publishing", "written", "taken", "failed", "unknown"
+    "pending", "publishing", "written", "stale", "taken", "failed", "unknown"
 ]
 PreviewState = Literal["pending", "done", "failed"]
 InstrumentState = Literal[

@@ -9,7 +9,7 @@ from paintlink.config import PreviewSettings
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.records import Job, Preview
 from paintlink.errors import PreviewError
-from paintlink.preview import render, to_png
+from paintlink.preview import render, to_png, with_caption
 
 log = logging.getLogger(__name__)
 
@@ -48,6 +48,8 @@ class Render:
             backend=self._settings.backend,
             cache_dir=self._folder / "baked",
         )
+        if self._settings.caption:
+            picture = with_caption(picture)
         path = self._folder / f"{job.token}.png"
         write_whole(path, to_png(picture))
         return Preview(

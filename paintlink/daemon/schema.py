@@ -42,7 +42,8 @@ MIGRATIONS: tuple[str, ...] = (
         copy INTEGER NOT NULL DEFAULT 1,
         folder TEXT NOT NULL,
         state TEXT NOT NULL CHECK (
-            state IN ('pending', 'publishing', 'written', 'taken', 'failed', 'unknown')
+            state IN ('pending', 'publishing', 'written', 'stale', 'taken', 'failed',
+                'unknown')
         ),
         name TEXT NOT NULL DEFAULT '',
         sha256 TEXT NOT NULL DEFAULT '',
@@ -53,7 +54,7 @@ MIGRATIONS: tuple[str, ...] = (
         UNIQUE (job_id, route, copy)
     ) STRICT;
     CREATE INDEX deliveries_open ON deliveries (state, retry_at)
-        WHERE state IN ('pending', 'publishing', 'written');
+        WHERE state IN ('pending', 'publishing', 'written', 'stale');
 
     CREATE TABLE previews (
         job_id INTEGER PRIMARY KEY REFERENCES jobs (id),

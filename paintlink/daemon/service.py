@@ -82,7 +82,8 @@ class Service:
             "intake": self._make_intake,
         }
         for role in self._roles:
-            self._workers.append(makers[role]())
+            if role != "intake" or self.settings.inbox.enabled:
+                self._workers.append(makers[role]())
         for thread in (*self._workers, *self._instruments):
             thread.start()
 
@@ -136,7 +137,7 @@ class Service:
                 if worked and self._render is not None:
                     self._render.wake()
                 if not worked:
-                    line.look_for_taken()
+                    line.look_at_folders()
                 return worked
 
             return step
@@ -164,7 +165,8 @@ class Service:
                 max_bytes=rules.max_bytes,
                 clock=time.monotonic,
             )
-            worker = InboxWorker(Journal(self.settings.journal_path), inbox)
+            journal = Journal(self.settings.journal_path)
+            worker = InboxWorker(journal, inbox, finish=rules.finish)
 
             def step() -> bool:
                 worked = worker.step()

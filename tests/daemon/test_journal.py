@@ -177,7 +177,7 @@ def test_written_delivery_is_no_longer_due(journal: Journal) -> None:
 
     assert journal.deliveries.due(1e12) is None
     assert journal.deliveries.unfinished(job) == 0
-    assert [one.id for one in journal.deliveries.written()] == [delivery.id]
+    assert [one.id for one in journal.deliveries.lying()] == [delivery.id]
 
 
 def test_resend_adds_a_numbered_copy(journal: Journal) -> None:

@@ -6,6 +6,7 @@ import json
 import shutil
 from collections.abc import Iterator
 from dataclasses import replace
+from datetime import datetime
 from pathlib import Path
 
 import pytest
@@ -216,10 +217,31 @@ def test_taken_file_is_noticed(shop: Shop) -> None:
     shop.drain()
     shop.files("colornet")[0].unlink()
 
-    shop.line.look_for_taken()
+    shop.line.look_at_folders()
 
     states = {one.route: one.state for one in shop.job(token).deliveries}
     assert states == {"colornet": "taken", "json": "written"}
+
+
+def test_file_that_lies_too_long_raises_an_alarm(shop: Shop) -> None:
+    token = shop.journal.accept_file("a.xml", "hash", make_spec())
+    shop.drain()
+    written = datetime.fromisoformat(shop.job(token).deliveries[0].written_at)
+    shop.now = written.timestamp() + 15 * 60 - 5.0
+    shop.line.look_at_folders()
+    before = {one.state for one in shop.job(token).deliveries}
+
+    shop.now += 10.0
+    shop.line.look_at_folders()
+    alarmed = shop.job(token).deliveries
+    shop.files("colornet")[0].unlink()
+    shop.line.look_at_folders()
+
+    assert before == {"written"}
+    assert {one.state for one in alarmed} == {"stale"}
+    assert "is the other program running?" in alarmed[0].error
+    states = {one.route: one for one in shop.job(token).deliveries}
+    assert (states["colornet"].state, states["colornet"].error) == ("taken", "")
 
 
 def test_vanished_folder_does_not_count_as_taken(shop: Shop) -> None:
@@ -227,7 +249,7 @@ def test_vanished_folder_does_not_count_as_taken(shop: Shop) -> None:
     shop.drain()
     shutil.rmtree(shop.folder / "colornet")
 
-    shop.line.look_for_taken()
+    shop.line.look_at_folders()
 
     assert {one.state for one in shop.job(token).deliveries} == {"written"}
 

@@ -10,6 +10,7 @@ from paintlink.daemon.pipeline import match, open_routes, retry_delay_s, specify
 from paintlink.errors import ReadingError
 from paintlink.library import bundled
 from paintlink.model import Geometry
+from paintlink.spec import read_spec, write_spec
 from tests.daemon.conftest import ANGLES, make_reading, make_spec
 
 
@@ -31,6 +32,22 @@ def test_reading_becomes_specification_with_its_origin() -> None:
     assert spec.provenance is not None
     assert spec.provenance.origin == "simulated"
     assert spec.provenance.instrument.serial == "4711"
+
+
+def test_control_characters_from_device_are_left_out() -> None:
+    reading = make_reading()
+    noisy = replace(
+        reading,
+        sample="door\x00\x1b[31m\ud800",
+        instrument=replace(reading.instrument, serial="47\n11\x9f"),
+    )
+
+    spec = specify(noisy)
+
+    assert spec.name == "door[31m"
+    assert spec.provenance is not None
+    assert spec.provenance.instrument.serial == "4711"
+    assert read_spec(write_spec(spec)) == spec
 
 
 def test_other_illumination_is_refused_by_name() -> None:
