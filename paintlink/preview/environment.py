@@ -1,0 +1,113 @@
+"""What surrounds the object: a light file brought to the fixed exposure."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache, cached_property
+from importlib import import_module
+
+import numpy as np
+
+from paintlink.color.display import LUMINANCE
+from paintlink.model import FloatArray
+from paintlink.preview import lights
+from paintlink.preview.arrays import Float32Array
+from paintlink.preview.names import find
+
+Radiance = Callable[[Float32Array], Float32Array]
+
+GRID = (256, 512)
+MERGE = 4
+EXPOSED_NORMAL = np.array([0.0, 0.5**0.5, 0.5**0.5], dtype=np.float32)
+
+
+@dataclass(frozen=True)
+class Environment:
+    """A light around the object.
+
+    Parameters
+    ----------
+    radiance
+        Takes unit directions, shape (n, 3), x right, y up, z towards the viewer;
+        gives linear sRGB radiance, shape (n, 3), on any scale.
+    """
+
+    name: str
+    label: str
+    radiance: Radiance
+
+    @cached_property
+    def grid(self) -> Float32Array:
+        """Radiance of the latitude-longitude grid as the file gives it, (h, w, 3)."""
+        directions, _ = latitude_longitude()
+        return self.radiance(directions).reshape(*GRID, 3)
+
+    @cached_property
+    def channels(self) -> int:
+        """1 when red, green and blue are equal everywhere, else 3."""
+        neutral = (self.grid == self.grid[..., :1]).all()
+        return 1 if neutral else 3
+
+    @cached_property
+    def exposure(self) -> float:
+        """Factor that gives a perfect diffuser leaning back 45 degrees luminance 1."""
+        directions, solid_angle = latitude_longitude()
+        cosine = np.maximum(directions @ EXPOSED_NORMAL, 0.0)
+        luminance = self.grid.reshape(-1, 3) @ LUMINANCE
+        return float(np.pi / np.sum(luminance * solid_angle * cosine))
+
+    @cached_property
+    def digest(self) -> str:
+        """Hash of what this light is, whatever its file is called."""
+        return hashlib.sha256(self.grid.tobytes()).hexdigest()
+
+    def seen_along(self, directions: Float32Array) -> Float32Array:
+        """Exposed radiance, shape (n, channels)."""
+        radiance = self.radiance(directions)[:, : self.channels]
+        return radiance * np.float32(self.exposure)
+
+    def lamps(self) -> tuple[Float32Array, Float32Array]:
+        """Far fewer directions of the same flux, (n, 3), and their flux, (n, channels).
+
+        Blocks of the grid become one lamp each, in the direction its flux points to.
+        """
+        directions, solid_angle = latitude_longitude()
+        flux = self.grid.reshape(-1, 3) * (solid_angle * self.exposure)[:, None]
+        weight = flux.sum(axis=1, keepdims=True)
+        pointing = _merged(weight * directions)
+        pointing /= np.linalg.norm(pointing, axis=1, keepdims=True)
+        return (
+            pointing.astype(np.float32),
+            _merged(flux)[:, : self.channels].astype(np.float32),
+        )
+
+
+@cache
+def load(name: str) -> Environment:
+    """Environment of the light file ``name``."""
+    module = import_module(find(name, lights, "light"))
+    return Environment(name, module.LABEL, module.radiance)
+
+
+@cache
+def latitude_longitude() -> tuple[Float32Array, FloatArray]:
+    """Directions of the grid, shape (h * w, 3), and their solid angles, (h * w,)."""
+    rows, columns = GRID
+    polar = (np.arange(rows) + 0.5) * np.pi / rows
+    azimuth = (np.arange(columns) + 0.5) * 2.0 * np.pi / columns
+    ring = np.cos(np.arange(rows) * np.pi / rows)
+    band = ring - np.cos(np.arange(1, rows + 1) * np.pi / rows)
+    x = np.outer(np.sin(polar), np.sin(azimuth))
+    y = np.outer(np.cos(polar), np.ones(columns))
+    z = np.outer(np.sin(polar), -np.cos(azimuth))
+    directions = np.stack([x, y, z], axis=-1).reshape(-1, 3).astype(np.float32)
+    return directions, np.repeat(band * 2.0 * np.pi / columns, columns)
+
+
+def _merged(values: FloatArray) -> FloatArray:
+    rows, columns = GRID
+    blocks = values.reshape(rows // MERGE, MERGE, columns // MERGE, MERGE, -1)
+    merged: FloatArray = blocks.sum(axis=(1, 3)).reshape(-1, values.shape[-1])
+    return merged

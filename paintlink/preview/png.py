@@ -1,0 +1,69 @@
+"""Pictures as PNG files; the same picture always gives the same bytes."""
+
+from __future__ import annotations
+
+import struct
+import zlib
+from collections.abc import Iterator
+
+import numpy as np
+
+from paintlink import __version__
+from paintlink.preview.picture import WARNING, Picture
+from paintlink.spec import spec_id
+
+SIGNATURE = b"\x89PNG\r\n\x1a\n"
+TRUE_COLOUR = 2
+PERCEPTUAL = 0
+GAMMA = 45455
+FILTER_UP = 2
+EFFORT = 6
+
+
+def to_png(picture: Picture) -> bytes:
+    """The picture as a PNG file, sRGB, with what it shows as text.
+
+    References
+    ----------
+    W3C, Portable Network Graphics (PNG) Specification, Third Edition.
+    """
+    height, width, _ = picture.rgb.shape
+    header = struct.pack(">IIBBBBB", width, height, 8, TRUE_COLOUR, 0, 0, 0)
+    chunks = [
+        _chunk(b"IHDR", header),
+        _chunk(b"sRGB", bytes([PERCEPTUAL])),
+        _chunk(b"gAMA", struct.pack(">I", GAMMA)),
+        *(_text(keyword, text) for keyword, text in _words(picture)),
+        _chunk(b"IDAT", zlib.compress(_scanlines(picture), EFFORT)),
+        _chunk(b"IEND", b""),
+    ]
+    return SIGNATURE + b"".join(chunks)
+
+
+def _words(picture: Picture) -> Iterator[tuple[str, str]]:
+    yield "Software", f"paintlink {__version__}"
+    for spec in picture.specs:
+        yield "Paint", f"{spec_id(spec)} {spec.name}"
+    yield "Object", picture.object
+    yield "Light", picture.light
+    yield "Renderer", f"{picture.backend}: {picture.reason}"
+    yield "Comment", "; ".join([*picture.notes, WARNING])
+
+
+def _scanlines(picture: Picture) -> bytes:
+    """Each row as its difference to the row above, which compresses well."""
+    rows = picture.rgb.reshape(len(picture.rgb), -1)
+    above = np.zeros_like(rows)
+    above[1:] = rows[:-1]
+    kind = np.full((len(rows), 1), FILTER_UP, dtype=np.uint8)
+    return np.hstack([kind, rows - above]).tobytes()
+
+
+def _text(keyword: str, text: str) -> bytes:
+    """Uncompressed international text."""
+    return _chunk(b"iTXt", keyword.encode() + b"\0\0\0\0\0" + text.encode())
+
+
+def _chunk(kind: bytes, data: bytes) -> bytes:
+    checksum = zlib.crc32(kind + data)
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", checksum)

@@ -1,0 +1,90 @@
+"""Baked tables: kept in memory and, where a folder is given, on disk."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import logging
+import tempfile
+from collections.abc import Callable
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from paintlink.preview import bake, coat, environment
+from paintlink.preview.arrays import Float32Array
+
+RECIPE = 1
+"""To be raised whenever a table would come out differently from the same light."""
+
+SUFFIX = ".plbasis"
+MAGIC = b"plbasis\n"
+DIGEST_BYTES = hashlib.sha256().digest_size
+
+_log = logging.getLogger(__name__)
+
+
+@lru_cache(maxsize=8)
+def base_table(light: str, folder: Path | None) -> Float32Array:
+    """Table of `bake.base_table` for the light, baked at most once."""
+    surroundings = environment.load(light)
+    recipe = f"base {surroundings.digest}"
+    return _kept(recipe, folder, lambda: bake.base_table(surroundings))
+
+
+@lru_cache(maxsize=8)
+def coat_table(light: str, roughness: float, folder: Path | None) -> Float32Array:
+    """Table of `coat.coat_table` for the light, baked at most once."""
+    surroundings = environment.load(light)
+    recipe = f"coat {roughness} {surroundings.digest}"
+    return _kept(recipe, folder, lambda: coat.coat_table(surroundings, roughness))
+
+
+def _kept(
+    recipe: str, folder: Path | None, build: Callable[[], Float32Array]
+) -> Float32Array:
+    """The table from its file; else built, and written for the next time."""
+    if folder is None:
+        return build()
+    digest = hashlib.sha256(f"{RECIPE} {recipe}".encode()).hexdigest()
+    path = folder / f"{recipe.split()[0]}-{digest[:24]}{SUFFIX}"
+    table = _read(path)
+    if table is None:
+        table = build()
+        _write(path, table)
+    return table
+
+
+def _read(path: Path) -> Float32Array | None:
+    """The table, or None when the file is missing, cut short or damaged."""
+    try:
+        content = path.read_bytes()
+    except FileNotFoundError:
+        return None
+    except OSError as error:
+        _log.warning("preview cache: cannot read %s (%s), baking again", path, error)
+        return None
+    payload = content[len(MAGIC) + DIGEST_BYTES :]
+    if content != _sealed(payload):
+        _log.warning("preview cache: %s is damaged, baking again", path)
+        return None
+    table: Float32Array = np.load(io.BytesIO(payload), allow_pickle=False)
+    return table
+
+
+def _write(path: Path, table: Float32Array) -> None:
+    """Put the whole file in place at once; a cache that cannot be kept is no error."""
+    payload = io.BytesIO()
+    np.save(payload, table, allow_pickle=False)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
+            file.write(_sealed(payload.getvalue()))
+        Path(file.name).replace(path)
+    except OSError as error:
+        _log.warning("preview cache: cannot write %s (%s)", path, error)
+
+
+def _sealed(payload: bytes) -> bytes:
+    return MAGIC + hashlib.sha256(payload).digest() + payload
