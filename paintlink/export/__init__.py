@@ -1,1 +1,25 @@
 """Files for other programs: stylesheets, rendering, atomic delivery."""
+
+from paintlink.export.delivery import Outcome, discard, outcome, publish, stage
+from paintlink.export.formats import Format, Formats, load_format, load_formats
+from paintlink.export.names import safe_name
+from paintlink.export.probe import probe
+from paintlink.export.render import ExportFile, JobFacts, file_name, render
+
+__all__ = [
+    "ExportFile",
+    "Format",
+    "Formats",
+    "JobFacts",
+    "Outcome",
+    "discard",
+    "file_name",
+    "load_format",
+    "load_formats",
+    "outcome",
+    "probe",
+    "publish",
+    "render",
+    "safe_name",
+    "stage",
+]
