@@ -18,10 +18,14 @@ def command() -> None:
 @config_option
 def check(config: Path | None) -> None:
     """Check the configuration and the folders it names; every fault is listed."""
-    from paintlink.daemon.checks import check_settings
+    from paintlink.daemon.checks import check_names, folder_problems
+    from paintlink.errors import ConfigError
 
     settings = settings_of(config)
-    check_settings(settings)
+    check_names(settings)
+    problems = folder_problems(settings)
+    if problems:
+        raise ConfigError("\n".join(problems))
     source = settings.source or "built-in defaults (no configuration file found)"
     click.echo(f"{source}: {len(settings.instruments)} instruments, ", nl=False)
     click.echo(f"{len(settings.routes)} routes, no fault found")

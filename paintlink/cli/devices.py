@@ -14,7 +14,9 @@ if TYPE_CHECKING:
     from paintlink.config import Settings
 
 
-@click.command("devices", short_help="Show instruments, ports, and what is wrong with them.")
+@click.command(
+    "devices", short_help="Show instruments, ports, and what is wrong with them."
+)
 @json_option
 @config_option
 def command(as_json: bool, config: Path | None) -> None:

@@ -33,13 +33,18 @@ def command(spec: Path, format_id: str, folder: Path, as_json: bool) -> None:
     when the specification names none. A file that exists is never overwritten.
     """
     from paintlink.cli.render import rendered
-    from paintlink.export import publish, stage
+    from paintlink.errors import ExportError
+    from paintlink.export import discard, publish, stage
     from paintlink.spec import read_spec_file
 
     file = rendered(read_spec_file(spec), format_id)
     token = f"export-{file.sha256[:16]}"
     stage(folder, token, file.data)
-    path = publish(folder, token, file.name)
+    try:
+        path = publish(folder, token, file.name)
+    except ExportError:
+        discard(folder, token)
+        raise
     if as_json:
         print_json({"file": str(path), "format": format_id, "sha256": file.sha256})
     else:

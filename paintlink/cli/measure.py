@@ -89,4 +89,4 @@ def _show(
         matched = [match_document(one) for one in matches]
         print_json({"specification": spec_document(spec), "matches": matched})
     else:
-        print_matches(spec, matches[:5])
+        print_matches(spec, matches[:5], settings.snap)

@@ -29,20 +29,23 @@ if TYPE_CHECKING:
     show_default=True,
     type=click.Choice(["auto", "gl", "cpu"]),
 )
+@click.option("--caption/--no-caption", default=True, help="Words below the picture.")
 def command(
+    *,
     specs: tuple[Path, ...],
     output: Path,
     object_id: str,
     light: str,
     size: int,
     backend: Backend,
+    caption: bool,
 ) -> None:
     """Draw the colour specification SPECS; two to four stand side by side.
 
     The picture shows sRGB under a fixed exposure. It is not for visual matching.
     """
     from paintlink.cli.files import write_new
-    from paintlink.preview import render, to_png
+    from paintlink.preview import LEAST_WIDTH, render, to_png, with_caption
     from paintlink.spec import read_spec_file
 
     picture = render(
@@ -53,6 +56,8 @@ def command(
         backend=backend,
         cache_dir=cache_folder(),
     )
+    if caption and size >= LEAST_WIDTH:
+        picture = with_caption(picture)
     write_new(output, to_png(picture), replace=True)
     click.echo(f"wrote {output} ({picture.backend}: {picture.reason})")
 

@@ -35,13 +35,16 @@ def command(roles: tuple[Role, ...], config: Path | None) -> None:
     Ends on Ctrl-C or SIGTERM; what is not finished goes on at the next start.
     """
     from paintlink.cli.log import set_up_logging
-    from paintlink.daemon.checks import check_settings
+    from paintlink.daemon.checks import check_names, folder_problems
     from paintlink.daemon.notify import Notifier
     from paintlink.daemon.service import Service
 
     settings = settings_of(config)
     set_up_logging(settings.log.level)
-    check_settings(settings)
+    check_names(settings)
+    for problem in folder_problems(settings):
+        click.secho(problem, err=True, fg="yellow")
+    stop = stop_on_signals()
     service = Service(settings, roles=roles or ROLES)
     service.start()
     names = ", ".join(one.name for one in settings.instruments) or "no instrument"
@@ -49,14 +52,14 @@ def command(roles: tuple[Role, ...], config: Path | None) -> None:
     notifier.ready(f"{names}; {len(settings.routes)} routes")
     click.echo(f"paintlink runs: {names}; stop with Ctrl-C", err=True)
     try:
-        serve(service, notifier)
+        serve(service, notifier, stop)
     finally:
         notifier.stopping()
         service.stop()
 
 
-def serve(service: Service, notifier: Notifier) -> None:
-    """Feed the watchdog while the workers make progress, until a signal ends it."""
+def stop_on_signals() -> threading.Event:
+    """An event that Ctrl-C and SIGTERM set, in place of ending the process."""
     stop = threading.Event()
 
     def on_signal(number: int, frame: FrameType | None) -> None:
@@ -65,6 +68,11 @@ def serve(service: Service, notifier: Notifier) -> None:
 
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, on_signal)
+    return stop
+
+
+def serve(service: Service, notifier: Notifier, stop: threading.Event) -> None:
+    """Feed the watchdog while the workers make progress, until told to stop."""
     while not stop.wait(1.0) and not service.stopped.is_set():
         if service.makes_progress():
             notifier.watchdog()

@@ -10,6 +10,7 @@ import click
 from paintlink.cli.output import json_option, match_document, print_json, print_table
 
 if TYPE_CHECKING:
+    from paintlink.config import SnapSettings
     from paintlink.model import ColorSpec, Finish, Match
 
 BAND_COLORS = {"green": "green", "amber": "yellow", "red": "red"}
@@ -56,16 +57,25 @@ def command(
     print_matches(target, matches)
 
 
-def print_matches(target: ColorSpec, matches: tuple[Match, ...]) -> None:
-    """Print a ranked list with its conditions."""
+def print_matches(
+    target: ColorSpec, matches: tuple[Match, ...], limits: SnapSettings | None = None
+) -> None:
+    """Print a ranked list with its conditions, each code in its traffic light."""
+    from paintlink.config import SnapSettings
     from paintlink.snap import band
+
+    limits = limits or SnapSettings()
+
+    def _color(match: Match) -> str:
+        colour = band(match, green_up_to=limits.green, amber_up_to=limits.amber)
+        return BAND_COLORS[colour]
 
     best = matches[0]
     angles = [f"{angle:g}" for angle in best.angles_deg]
     rows = [
         (
             str(match.rank),
-            click.style(match.code, fg=BAND_COLORS[band(match)], bold=True),
+            click.style(match.code, fg=_color(match), bold=True),
             match.name,
             match.finish,
             f"{match.total:.2f}",

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from paintlink.color import FORMULAS
 from paintlink.config import Settings, check_against
-from paintlink.errors import ConfigError
 from paintlink.export import load_formats, probe
 from paintlink.instrument import drivers
 from paintlink.preview import light_names, object_names
 
 
-def check_settings(settings: Settings) -> None:
-    """Refuse settings that name unknown parts or folders that cannot be used.
+def check_names(settings: Settings) -> None:
+    """Refuse settings that name unknown drivers, formats, formulas or pictures.
 
     Raises
     ------
@@ -27,10 +26,16 @@ def check_settings(settings: Settings) -> None:
         objects=object_names(),
         lights=light_names(),
     )
-    faults = [
+
+
+def folder_problems(settings: Settings) -> list[str]:
+    """A sentence for each route folder that cannot be written to now.
+
+    The service starts all the same: a share may come back, and until then its files
+    wait in the journal.
+    """
+    return [
         f"[[route]] {route.name!r} folder: {problem}"
         for route in settings.routes
         if route.enabled and (problem := probe(route.folder))
     ]
-    if faults:
-        raise ConfigError("\n".join(faults))

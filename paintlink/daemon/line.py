@@ -21,6 +21,7 @@ from paintlink.export import (
     ExportFile,
     Format,
     JobFacts,
+    discard,
     outcome,
     publish,
     render,
@@ -29,6 +30,13 @@ from paintlink.export import (
 from paintlink.model import PaintTable
 
 log = logging.getLogger(__name__)
+
+BEYOND_REPEATING = {"exists", "name", "format", "starting-paint"}
+
+
+def staged_name(job: Job, delivery: Delivery) -> str:
+    """Name of the staged file: unique to this delivery among all installations."""
+    return f"{job.token}-{delivery.id}"
 
 
 class Line:
@@ -119,11 +127,10 @@ class Line:
         try:
             if delivery.state == "pending":
                 delivery = self._stage(delivery, job)
-            self._publish(delivery)
+            self._publish(delivery, staged_name(job, delivery))
         except ExportError as error:
-            retry_at = self._clock() + retry_delay_s(delivery.attempts)
-            self._journal.deliveries.postpone(delivery, retry_at, str(error))
             log.warning("%s %s: %s", job.token, delivery.route, error)
+            self._not_delivered(delivery, job, error)
             return True
         if self._journal.deliveries.unfinished(job) == 0:
             self._journal.finish(job, "every route served")
@@ -132,7 +139,12 @@ class Line:
     def _stage(self, delivery: Delivery, job: Job) -> Delivery:
         route = self._route(delivery)
         file = self._render(route, job, delivery.copy)
-        stage(Path(delivery.folder), delivery.token, file.data, mode=route.mode_bits)
+        stage(
+            Path(delivery.folder),
+            staged_name(job, delivery),
+            file.data,
+            mode=route.mode_bits,
+        )
         return self._journal.deliveries.set_publishing(delivery, file.name, file.sha256)
 
     def _render(self, route: RouteSettings, job: Job, copy: int) -> ExportFile:
@@ -150,17 +162,26 @@ class Line:
             job.spec, chosen, job=JobFacts(job.token, created, job.origin, copy)
         )
 
-    def _publish(self, delivery: Delivery) -> None:
+    def _publish(self, delivery: Delivery, token: str) -> None:
         folder = Path(delivery.folder)
-        state = outcome(folder, delivery.token)
+        state = outcome(folder, token)
         if state == "unknown":
             note = f"{folder}/.paintlink is gone: look whether {delivery.name} arrived"
             self._journal.deliveries.settle(delivery, "unknown", note)
             return
         if state == "staged":
-            publish(folder, delivery.token, delivery.name)
+            publish(folder, token, delivery.name)
         self._journal.deliveries.settle(delivery, "written", delivery.name)
         log.info("%s wrote %s", delivery.route, delivery.name)
+
+    def _not_delivered(self, delivery: Delivery, job: Job, error: ExportError) -> None:
+        """Try again what a repaired folder cures; ask a person about the rest."""
+        if error.kind in BEYOND_REPEATING:
+            discard(Path(delivery.folder), staged_name(job, delivery))
+            self._journal.deliveries.settle(delivery, "failed", str(error))
+            return
+        retry_at = self._clock() + retry_delay_s(delivery.attempts)
+        self._journal.deliveries.postpone(delivery, retry_at, str(error))
 
     def _route(self, delivery: Delivery) -> RouteSettings:
         for route in self._settings.routes:

@@ -33,11 +33,6 @@ class Delivery:
     attempts: int = 0
     written_at: str = ""
 
-    @property
-    def token(self) -> str:
-        """Name of the staged file: unique to this delivery, free of other text."""
-        return f"delivery-{self.id}"
-
 
 @dataclass(frozen=True, slots=True)
 class Preview:

@@ -9,7 +9,7 @@ from paintlink.config import PreviewSettings
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.records import Job, Preview
 from paintlink.errors import PreviewError
-from paintlink.preview import render, to_png, with_caption
+from paintlink.preview import LEAST_WIDTH, render, to_png, with_caption
 
 log = logging.getLogger(__name__)
 
@@ -48,7 +48,7 @@ class Render:
             backend=self._settings.backend,
             cache_dir=self._folder / "baked",
         )
-        if self._settings.caption:
+        if self._settings.caption and self._settings.size >= LEAST_WIDTH:
             picture = with_caption(picture)
         path = self._folder / f"{job.token}.png"
         write_whole(path, to_png(picture))

@@ -152,7 +152,7 @@ def test_preview_writes_a_picture(run: Run, spec_file: Path, tmp_path: Path) -> 
 
     assert done.returncode == 0, done.stderr
     with Image.open(tmp_path / "out.png") as picture:
-        assert picture.size[0] == 64
+        assert picture.size[0] == 128
         assert len(picture.getcolors(1 << 16) or []) > 50
 
 

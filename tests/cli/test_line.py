@@ -26,7 +26,7 @@ def config(tmp_path: Path, *, accept: str = '"simulated"', port: str = "") -> Pa
     path = tmp_path / "paintlink.toml"
     path.write_text(
         '[site]\nfolder = "."\n[state]\nfolder = "state"\n'
-        "[preview]\nsize = 64\n"
+        "[preview]\nsize = 128\n"
         f'[[route]]\nname = "colornet"\nfolder = "colornet"\nformat = "colornet"\n'
         f"accept = [{accept}]\n" + (instrument if port else "")
     )

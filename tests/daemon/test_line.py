@@ -20,7 +20,7 @@ from paintlink.config import (
     StateSettings,
 )
 from paintlink.daemon.journal import Journal
-from paintlink.daemon.line import Line
+from paintlink.daemon.line import Line, staged_name
 from paintlink.daemon.records import Job
 from paintlink.export import load_formats, outcome, publish, stage
 from paintlink.library import bundled
@@ -74,6 +74,12 @@ class Shop:
 
     def files(self, route: str) -> list[Path]:
         return sorted(p for p in (self.folder / route).iterdir() if p.is_file())
+
+
+def token_of(shop: Shop, job_token: str) -> str:
+    """Name of the staged file of a job's first delivery."""
+    job = shop.job(job_token)
+    return staged_name(job, job.deliveries[0])
 
 
 @pytest.fixture
@@ -167,7 +173,7 @@ def test_interrupted_before_rename_is_published_once(shop: Shop) -> None:
     shop.line.step()
     delivery = shop.journal.deliveries.due(shop.now)
     assert delivery is not None
-    stage(Path(delivery.folder), delivery.token, b"<job/>")
+    stage(Path(delivery.folder), token_of(shop, token), b"<job/>")
     shop.journal.deliveries.set_publishing(delivery, "job.xml", "digest")
 
     shop.line = shop.new_line()
@@ -183,14 +189,14 @@ def test_interrupted_after_rename_is_never_written_again(shop: Shop) -> None:
     delivery = shop.journal.deliveries.due(shop.now)
     assert delivery is not None
     folder = Path(delivery.folder)
-    stage(folder, delivery.token, b"<job/>")
+    stage(folder, token_of(shop, token), b"<job/>")
     shop.journal.deliveries.set_publishing(delivery, "job.xml", "digest")
-    publish(folder, delivery.token, "job.xml").unlink()
+    publish(folder, token_of(shop, token), "job.xml").unlink()
 
     shop.line = shop.new_line()
     shop.drain()
 
-    assert outcome(folder, delivery.token) == "published"
+    assert outcome(folder, token_of(shop, token)) == "published"
     assert shop.files("colornet") == []
     assert shop.job(token).state == "done"
 
@@ -200,7 +206,7 @@ def test_lost_staging_folder_asks_a_person(shop: Shop) -> None:
     shop.line.step()
     delivery = shop.journal.deliveries.due(shop.now)
     assert delivery is not None
-    stage(Path(delivery.folder), delivery.token, b"<job/>")
+    stage(Path(delivery.folder), token_of(shop, token), b"<job/>")
     shop.journal.deliveries.set_publishing(delivery, "job.xml", "digest")
     shutil.rmtree(Path(delivery.folder) / ".paintlink")
 
@@ -210,6 +216,46 @@ def test_lost_staging_folder_asks_a_person(shop: Shop) -> None:
     assert states["colornet"].state == "unknown"
     assert "look whether job.xml arrived" in states["colornet"].error
     assert shop.files("colornet") == []
+
+
+def test_name_that_is_taken_asks_a_person(shop: Shop) -> None:
+    token = shop.journal.accept_file("a.xml", "hash", make_spec())
+    shop.drain()
+    name = shop.files("colornet")[0].name
+    again = shop.journal.accept_file("b.xml", "other", make_spec())
+    shop.line.step()
+    delivery = shop.journal.deliveries.due(shop.now)
+    assert delivery is not None
+    stage(Path(delivery.folder), token_of(shop, again), b"<other/>")
+    shop.journal.deliveries.set_publishing(delivery, name, "digest")
+
+    shop.drain()
+
+    states = {one.route: one for one in shop.job(again).deliveries}
+    assert states["colornet"].state == "failed"
+    assert name in states["colornet"].error
+    assert b"<other/>" not in shop.files("colornet")[0].read_bytes()
+    assert outcome(Path(delivery.folder), token_of(shop, again)) == "published"
+    assert shop.job(token).state == "done"
+
+
+def test_failed_delivery_can_be_retried(shop: Shop) -> None:
+    site = replace(shop.settings.routes[0], format="nosuch")
+    good = shop.settings
+    shop.settings = replace(good, routes=(site,))
+    shop.line = shop.new_line()
+    token = shop.journal.accept_file("a.xml", "hash", make_spec())
+    shop.drain()
+    failed = shop.job(token).deliveries[0]
+
+    shop.settings = good
+    shop.line = shop.new_line()
+    shop.journal.retry(shop.job(token))
+    shop.drain()
+
+    assert failed.state == "failed"
+    assert "no export format" in failed.error
+    assert shop.job(token).deliveries[0].state == "written"
 
 
 def test_taken_file_is_noticed(shop: Shop) -> None:

@@ -47,7 +47,7 @@ def settings(folder: Path, ports: dict[str, str]) -> Settings:
                 accept=("real", "simulated"),
             ),
         ),
-        preview=PreviewSettings(size=32, backend="cpu"),
+        preview=PreviewSettings(size=128, backend="cpu"),
     )
 
 
