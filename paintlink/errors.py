@@ -80,6 +80,34 @@ class LibraryError(InputError):
     """A paint library cannot be read, or cannot answer the question."""
 
 
+class DesignError(InputError):
+    """A design cannot be read, or a step cannot be made with these values.
+
+    Parameters
+    ----------
+    what
+        What is wrong and what to do next.
+    source
+        File the design came from, if any.
+    step, parameter
+        Names of what was refused, if a step was.
+    """
+
+    def __init__(
+        self,
+        what: str,
+        *,
+        source: str | None = None,
+        step: str | None = None,
+        parameter: str | None = None,
+    ) -> None:
+        self.what = what
+        self.source = source
+        self.step = step
+        self.parameter = parameter
+        super().__init__(": ".join(filter(None, (source, step, what))))
+
+
 class LinkError(PaintlinkError):
     """Reconnect: the connection to the instrument is gone or cannot be opened."""
 

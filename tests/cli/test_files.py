@@ -147,7 +147,7 @@ def test_snap_with_unknown_formula_lists_them(run: Run, spec_file: Path) -> None
 
 def test_preview_writes_a_picture(run: Run, spec_file: Path, tmp_path: Path) -> None:
     done = run(
-        "preview", spec_file, "-o", "out.png", "--size", "64", "--backend", "cpu"
+        "preview", spec_file, "-o", "out.png", "--size", "128", "--backend", "cpu"
     )
 
     assert done.returncode == 0, done.stderr
