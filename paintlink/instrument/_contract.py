@@ -1,0 +1,125 @@
+"""What a driver is: facts about the instrument, and four verbs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Literal, Protocol
+
+from paintlink.instrument._link import Link
+from paintlink.instrument._options import OptionSet, option
+from paintlink.model import CalibrationState, Geometry, Instrument, Measurement
+
+Prompt = Callable[[str], None]
+Transport = Literal["serial"]
+
+BAUD_RATES = (
+    *(300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200),
+    *(230400, 460800, 921600),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class SerialSettings:
+    """How a serial line is set.
+
+    Software flow control is missing on purpose: it swallows the bytes 11 and 13.
+    """
+
+    baudrate: int = option(9600, "bits per second", choices=BAUD_RATES)
+    bytesize: int = option(8, "data bits", choices=(7, 8))
+    parity: str = option("N", "none, even or odd", choices=("N", "E", "O"))
+    stopbits: int = option(1, "stop bits", choices=(1, 2))
+    rtscts: bool = option(False, "hardware flow control")
+    dtr: bool = option(True, "state of the DTR line")
+    rts: bool = option(True, "state of the RTS line")
+
+    @property
+    def summary(self) -> str:
+        """The settings as they are spoken: ``9600 8N1``."""
+        return f"{self.baudrate} {self.bytesize}{self.parity}{self.stopbits}"
+
+
+@dataclass(frozen=True, slots=True)
+class DriverInfo:
+    """What is known of an instrument before it is connected.
+
+    Parameters
+    ----------
+    id
+        File name of the driver module.
+    models
+        Model name, as `Driver.identify` returns it, to the geometries it measures.
+    options
+        The driver's options, all at their defaults.
+    hardware_tested
+        Whether the driver ever met a real instrument.
+    """
+
+    id: str
+    maker: str
+    models: Mapping[str, tuple[Geometry, ...]]
+    options: OptionSet
+    serial: SerialSettings
+    hardware_tested: bool
+    transport: Transport = "serial"
+
+    @property
+    def label(self) -> str:
+        """The instruments as a person would say them."""
+        return f"{self.maker} {', '.join(self.models)}"
+
+
+class Driver(Protocol):
+    """One connected instrument.
+
+    Every method may raise ``LinkError``, ``LinkTimeoutError``, ``ProtocolError``,
+    ``InstrumentError`` and ``CancelledError``. A driver never opens a port, never
+    repeats a reading by itself and never sleeps.
+    """
+
+    def identify(self) -> Instrument:
+        """Return what the instrument says it is.
+
+        Raises
+        ------
+        WrongInstrumentError
+            When something else answers.
+        """
+        ...
+
+    def calibration(self) -> CalibrationState:
+        """Return the state of the white calibration."""
+        ...
+
+    def calibrate(self, prompt: Prompt) -> None:
+        """Calibrate; ``prompt`` is given each sentence for the operator."""
+
+    def measure(self, prompt: Prompt) -> Measurement:
+        """Return one reading; ``prompt`` is given each sentence for the operator.
+
+        Raises
+        ------
+        NeedsCalibrationError
+            When the instrument is not calibrated.
+        """
+        ...
+
+
+class DriverModule(Protocol):
+    """A module in a package of the entry point group ``paintlink.drivers``."""
+
+    @property
+    def INFO(self) -> DriverInfo:  # noqa: N802
+        """Facts about the instrument."""
+        ...
+
+    def create(self, link: Link, options: Mapping[str, object]) -> Driver:
+        """Return a driver that talks through ``link``.
+
+        Raises
+        ------
+        ConfigError
+            Naming every unknown or wrong option.
+        """
+        ...
