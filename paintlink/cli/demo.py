@@ -72,7 +72,7 @@ def command(
         print_readings(jobs)
         click.echo(
             "Simulated instruments and a synthetic library: no real paint is named.\n"
-            f"Look around: paintlink jobs list --config {shop.config_path}"
+            f"Look around: paintlink jobs list --config {_shown(str(shop.config_path))}"
         )
 
 
