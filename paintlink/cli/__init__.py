@@ -23,6 +23,7 @@ COMMANDS = {
     "jobs": "jobs",
     "measure": "measure",
     "preview": "preview",
+    "replay": "replay",
     "run": "run",
     "simulate": "simulate",
     "snap": "snap",

@@ -57,7 +57,8 @@ def command(
     instrument = find_instrument(settings, device, driver)
     if readings is not None:
         instrument = replace(instrument, readings=readings)
-    with Session(instrument) as session:
+    captures = None if dry_run else settings.captures_folder
+    with Session(instrument, captures=captures) as session:
         name = sample or default_sample(instrument.name)
         reading = session.read(name, prompt)
     if dry_run:

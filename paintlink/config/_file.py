@@ -21,7 +21,10 @@ def read_table(path: Path) -> Table:
     text = _decoded(_read(path), path)
     try:
         return tomllib.loads(text)
-    except (ValueError, RecursionError) as error:
+    except RecursionError as error:
+        msg = f"{path}: lists or tables nested too deeply; correct the file"
+        raise ConfigError(msg) from error
+    except ValueError as error:
         raise ConfigError(f"{path}: {_syntax(str(error), text)}") from error
 
 

@@ -56,6 +56,11 @@ class Settings:
         return self.state.folder / "journal.db"
 
     @property
+    def captures_folder(self) -> Path:
+        """Folder of the captured sessions with instruments."""
+        return self.state.folder / "captures"
+
+    @property
     def previews_folder(self) -> Path:
         """Folder of the pictures that were drawn."""
         return self.state.folder / "previews"

@@ -43,6 +43,8 @@ class InstrumentWorker(threading.Thread):
 
     Parameters
     ----------
+    captures
+        Folder for the captured sessions; None keeps none.
     wake_line
         Called after each stored reading.
     limit
@@ -54,6 +56,7 @@ class InstrumentWorker(threading.Thread):
         settings: InstrumentSettings,
         journal_path: Path,
         *,
+        captures: Path | None = None,
         stop: threading.Event,
         wake_line: Callable[[], None],
         name_sample: NameSample = default_sample,
@@ -62,6 +65,7 @@ class InstrumentWorker(threading.Thread):
         super().__init__(name=f"instrument {settings.name}", daemon=True)
         self._settings = settings
         self._journal_path = journal_path
+        self._captures = captures
         self._stop_event = stop
         self._wake_line = wake_line
         self._name_sample = name_sample
@@ -95,7 +99,9 @@ class InstrumentWorker(threading.Thread):
 
     def _connected(self) -> None:
         self._report("opening", f"opening {self._settings.port}")
-        with Session(self._settings, cancelled=self._stop_event.is_set) as session:
+        with Session(
+            self._settings, cancelled=self._stop_event.is_set, captures=self._captures
+        ) as session:
             found = session.instrument
             self._identity = f"{found.maker} {found.model} {found.serial}".strip()
             self._delay_s = FIRST_RETRY_S

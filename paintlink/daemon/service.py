@@ -56,6 +56,7 @@ class Service:
             InstrumentWorker(
                 one,
                 settings.journal_path,
+                captures=settings.captures_folder,
                 stop=self.stopped,
                 wake_line=self._wake_line,
                 name_sample=name_sample,

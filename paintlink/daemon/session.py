@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import datetime
+from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
 from paintlink.config import InstrumentSettings
 from paintlink.daemon.averaging import average
 from paintlink.daemon.database import utc_now
-from paintlink.instrument import Link, Prompt, SerialSettings, load_driver
-from paintlink.links import is_simulated_path, open_serial
+from paintlink.instrument import (
+    Direction,
+    Driver,
+    Link,
+    Prompt,
+    SerialSettings,
+    load_driver,
+)
+from paintlink.links import CaptureWriter, Verb, is_simulated_path, open_serial
 from paintlink.model import (
     Calibration,
     CalibrationState,
@@ -37,6 +46,8 @@ class Session:
         Asked during long waits; True ends them with a `CancelledError`.
     now
         The clock readings are stamped with.
+    captures
+        Folder for a capture of every byte of the session; None keeps none.
 
     Raises
     ------
@@ -50,18 +61,25 @@ class Session:
         *,
         cancelled: Callable[[], bool] = never,
         now: Callable[[], datetime] = utc_now,
+        captures: Path | None = None,
     ) -> None:
         module = load_driver(settings.driver)
         self._settings = settings
         self._now = now
         line = _line(settings, module.INFO.serial)
         self._stream = open_serial(settings.port, line)
+        self._capture: CaptureWriter | None = None
         try:
-            link = Link(self._stream, clock=time.monotonic, cancelled=cancelled)
+            if captures is not None:
+                self._capture = _new_capture(captures, settings, now())
+            tap = self._capture.tap if self._capture else no_tap
+            link = Link(
+                self._stream, clock=time.monotonic, tap=tap, cancelled=cancelled
+            )
             self._driver = module.create(link, settings.options)
             self.instrument = self._identify()
         except BaseException:
-            self._stream.close()
+            self._close()
             raise
 
     def __enter__(self) -> Self:
@@ -73,7 +91,7 @@ class Session:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        self._stream.close()
+        self._close()
 
     @property
     def origin(self) -> Origin:
@@ -83,11 +101,11 @@ class Session:
 
     def calibration(self) -> CalibrationState:
         """State of the white calibration as the instrument tells it."""
-        return self._driver.calibration()
+        return self._captured("calibration").calibration()
 
     def calibrate(self, prompt: Prompt) -> None:
         """Lead the operator through a white calibration."""
-        self._driver.calibrate(prompt)
+        self._captured("calibrate").calibrate(prompt)
 
     def read(self, sample: str, prompt: Prompt) -> Reading:
         """One reading, stamped with the time it arrived.
@@ -95,7 +113,9 @@ class Session:
         It is the mean of as many measurements as the settings ask for.
         """
         taken = [
-            self._driver.measure(_counted(prompt, number, self._settings.readings))
+            self._captured("measure").measure(
+                _counted(prompt, number, self._settings.readings)
+            )
             for number in range(1, self._settings.readings + 1)
         ]
         return Reading(
@@ -103,13 +123,41 @@ class Session:
             instrument=self.instrument,
             taken_at=self._now(),
             origin=self.origin,
-            calibration=Calibration(self._driver.calibration()),
+            calibration=Calibration(self.calibration()),
             sample=sample,
         )
 
     def _identify(self) -> Instrument:
-        found = self._driver.identify()
+        found = self._captured("identify").identify()
         return found if found.serial else replace(found, serial=self._settings.serial)
+
+    def _captured(self, verb: Verb) -> Driver:
+        """The driver, once the capture knows what it is about to be asked."""
+        if self._capture is not None:
+            self._capture.call(verb)
+        return self._driver
+
+    def _close(self) -> None:
+        self._stream.close()
+        if self._capture is not None:
+            self._capture.close()
+
+
+def no_tap(direction: Direction, data: bytes) -> None:
+    """Keep nothing of what goes over the link."""
+
+
+def _new_capture(
+    folder: Path, settings: InstrumentSettings, started_at: datetime
+) -> CaptureWriter:
+    folder.mkdir(parents=True, exist_ok=True)
+    name = re.sub(r"[^A-Za-z0-9-]+", "_", settings.name).strip("_")
+    return CaptureWriter(
+        folder / f"{name}-{started_at:%Y%m%dT%H%M%S.%f}.jsonl",
+        driver=settings.driver,
+        options=settings.options,
+        started_at=started_at,
+    )
 
 
 def _line(settings: InstrumentSettings, usual: SerialSettings) -> SerialSettings:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from paintlink.daemon.journal import Journal
 from paintlink.export import load_formats
 from paintlink_simulators import PtyPort
 from tests.cli.conftest import Run
@@ -91,6 +92,30 @@ def test_measure_goes_all_the_way(run: Run, tmp_path: Path, port: PtyPort) -> No
     assert "reading 2 of 2" in done.stderr
     (delivered,) = (tmp_path / "colornet").glob("*.xml")
     assert delivered.name.startswith("SIM-")
+
+
+def test_capture_of_a_reading_replays_to_the_same_bits(
+    run: Run, tmp_path: Path, port: PtyPort
+) -> None:
+    path = config(tmp_path, port=port.path)
+    run("measure", "bench", "--readings", "1", "--config", path)
+    with Journal(tmp_path / "state" / "journal.db") as journal:
+        stored = journal.reading(1).measurement
+    (capture,) = (tmp_path / "state" / "captures").iterdir()
+
+    done = run("replay", capture, "--json")
+
+    outcomes = {one["call"]: one["value"] for one in json.loads(done.stdout)}
+    assert stored.spectra is not None
+    assert outcomes["measure"]["factors"] == stored.spectra.factors.tolist()
+    assert outcomes["identify"]["model"] == "MA68II"
+
+
+def test_file_that_is_no_capture_is_refused(run: Run, spec_file: Path) -> None:
+    done = run("replay", spec_file)
+
+    assert done.returncode == 3
+    assert "is no capture of paintlink" in done.stderr
 
 
 def test_reading_over_a_pty_never_reaches_a_real_route(

@@ -230,7 +230,7 @@ def test_file_in_another_encoding_is_told(tmp_path: Path) -> None:
         ),
         ("[log]\n[log]", "line 2, column 5: Cannot declare ('log',) twice: [log]"),
         ("top = [1,", "Invalid value (at end of document); correct the file"),
-        ("top = " + 5000 * "[", "maximum recursion depth exceeded; correct the file"),
+        ("top = " + 5000 * "[", "lists or tables nested too deeply; correct the file"),
     ],
     ids=["no equals sign", "section twice", "ends too early", "too deep"],
 )
