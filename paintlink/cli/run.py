@@ -50,7 +50,8 @@ def command(roles: tuple[Role, ...], config: Path | None) -> None:
     names = ", ".join(one.name for one in settings.instruments) or "no instrument"
     notifier = Notifier(os.environ)
     notifier.ready(f"{names}; {len(settings.routes)} routes")
-    click.echo(f"paintlink runs: {names}; stop with Ctrl-C", err=True)
+    inbox = settings.inbox.folder if settings.inbox.enabled else "off"
+    click.echo(f"paintlink runs: {names}; inbox {inbox}; stop with Ctrl-C", err=True)
     try:
         serve(service, notifier, stop)
     finally:

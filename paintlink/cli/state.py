@@ -55,5 +55,8 @@ def find_instrument(
         msg = f"{device} is a port: say what is plugged in, such as --driver xrite_ma"
         raise ConfigError(msg)
     names = ", ".join(known) or "none yet"
-    msg = f"no instrument {device!r} is configured (configured: {names})"
+    msg = (
+        f"no instrument {device!r} is configured (configured: {names}): add it as "
+        "`paintlink config explain` shows, or name a port with --driver"
+    )
     raise ConfigError(msg)
