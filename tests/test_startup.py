@@ -11,7 +11,16 @@ import pytest
 from paintlink.spec import write_spec
 from tests.daemon.conftest import make_spec
 
-HEAVY = ("colour", "scipy", "moderngl", "fastapi", "PIL", "serial", "pydantic")
+HEAVY = (
+    "colour",
+    "scipy",
+    "moderngl",
+    "fastapi",
+    "matplotlib",
+    "PIL",
+    "serial",
+    "pydantic",
+)
 PROBE = """
 import sys
 sys.argv = ["paintlink", *sys.argv[1:]]

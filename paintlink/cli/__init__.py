@@ -18,6 +18,7 @@ COMMANDS = {
     "config": "config",
     "convert": "convert",
     "demo": "demo",
+    "design": "design",
     "devices": "devices",
     "export": "export",
     "jobs": "jobs",
