@@ -27,6 +27,7 @@ COMMANDS = {
     "replay": "replay",
     "run": "run",
     "simulate": "simulate",
+    "sketch": "sketch",
     "snap": "snap",
     "validate": "validate",
 }
