@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -54,6 +55,20 @@ def test_specification_becomes_a_job(
     assert job.state == "specified"
     assert job.spec == make_spec("from a file")
     assert (folders.done / "a.xml").exists()
+
+
+def test_finish_is_filled_in_where_a_file_names_none(
+    journal: Journal, folders: InboxFolders
+) -> None:
+    inbox = Inbox(folders, quiet_s=0.5, max_bytes=1 << 20, clock=Counter())
+    pearl = replace(make_spec("pearl"), finish="pearl")
+    for spec in (make_spec("unnamed"), pearl):
+        (folders.inbox / f"{spec.name}.xml").write_bytes(write_spec(spec))
+
+    work(InboxWorker(journal, inbox, finish="metallic"))
+
+    finishes = {job.spec.name: job.spec.finish for job in journal.jobs() if job.spec}
+    assert finishes == {"unnamed": "metallic", "pearl": "pearl"}
 
 
 def test_broken_file_is_kept_with_its_reason(

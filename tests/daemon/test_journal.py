@@ -168,6 +168,27 @@ def test_postponed_delivery_keeps_state_and_waits(journal: Journal) -> None:
     assert journal.deliveries.next_retry_s() == 100.0
 
 
+def test_nothing_is_staged_beside_an_unsettled_delivery(journal: Journal) -> None:
+    journal.accept_file("a.xml", "1", make_spec("a"))
+    journal.accept_file("b.xml", "2", make_spec("b"))
+    for folder in ("/same", "/same"):
+        job = journal.waiting("specified")
+        assert job is not None
+        journal.set_matched(job, make_spec(), [MATCH], [("colornet", folder)])
+    first = journal.deliveries.due(0.0)
+    assert first is not None
+    staged = journal.deliveries.set_publishing(first, "job.xml", "digest")
+    journal.deliveries.postpone(staged, 100.0, "the share is away")
+
+    blocked = journal.deliveries.due(50.0)
+    journal.deliveries.settle(staged, "written", "job.xml")
+    freed = journal.deliveries.due(50.0)
+
+    assert blocked is None
+    assert freed is not None
+    assert freed.id != first.id
+
+
 def test_written_delivery_is_no_longer_due(journal: Journal) -> None:
     job = matched_job(journal)
     delivery = journal.deliveries.due(0.0)
