@@ -22,6 +22,7 @@ COMMANDS = {
     "devices": "devices",
     "export": "export",
     "jobs": "jobs",
+    "library": "library",
     "measure": "measure",
     "preview": "preview",
     "replay": "replay",
