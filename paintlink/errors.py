@@ -195,3 +195,7 @@ class JournalError(PaintlinkError):
     """Stop: the journal cannot be trusted or written, so nothing may be accepted."""
 
     exit_code = 6
+
+
+class JournalFullError(JournalError):
+    """Refuse and go on: the disk of the journal is full, and space may come back."""

@@ -1,18 +1,27 @@
-"""Opening the journal's SQLite file: durable, migrated, one writer at a time."""
+"""The journal's SQLite file at work: one durable transaction after another."""
 
 from __future__ import annotations
 
+import os
 import sqlite3
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from paintlink.daemon.schema import MIGRATIONS
+from paintlink.daemon import audit
+from paintlink.daemon.opening import (
+    DAMAGED,
+    LOG_LIMIT_BYTES,
+    journal_error,
+    open_database,
+    suspect_path,
+)
 from paintlink.errors import JournalError
 
-BUSY_TIMEOUT_S = 5.0
+REFUSED = "the journal refused to store"
+ADVICE = "free disk space or check the disk"
 
 
 def utc_now() -> datetime:
@@ -27,36 +36,53 @@ class Database:
 
     Raises
     ------
+    ConfigError
+        When the file lies on a network share.
     JournalError
-        When the file cannot be opened, is no journal, or is newer than this program.
+        When the file cannot be opened, is no journal, is damaged, or is newer than
+        this program.
     """
 
     def __init__(self, path: Path, now: Callable[[], datetime] = utc_now) -> None:
         self._now = now
-        self._connection = _open(path)
+        self._path = path
+        self._log_path = path.with_name(path.name + "-wal")
+        self._connection, self._lock = open_database(path)
 
     def close(self) -> None:
         """Close the file; the journal stays whole without it."""
         self._connection.close()
+        if self._lock >= 0:
+            os.close(self._lock)
+            self._lock = -1
 
     @contextmanager
     def transaction(self) -> Iterator[None]:
         """One durable transaction: committed on leaving, rolled back on any error."""
-        with _transaction(self._connection):
-            yield
+        with self._watched(REFUSED, ADVICE):
+            self._bound_log()
+            self._connection.execute("BEGIN IMMEDIATE")
+            try:
+                yield
+                self._connection.execute("COMMIT")
+            except BaseException:
+                self._roll_back()
+                raise
 
     def one(self, sql: str, *values: Any) -> sqlite3.Row | None:
         """The first row of a query."""
-        row: sqlite3.Row | None = self._connection.execute(sql, values).fetchone()
+        with self._watched("the journal cannot be read", ADVICE):
+            row: sqlite3.Row | None = self._connection.execute(sql, values).fetchone()
         return row
 
     def all(self, sql: str, *values: Any) -> list[sqlite3.Row]:
         """All rows of a query."""
-        return self._connection.execute(sql, values).fetchall()
+        with self._watched("the journal cannot be read", ADVICE):
+            return self._connection.execute(sql, values).fetchall()
 
-    def run(self, sql: str, *values: Any) -> None:
-        """Execute a statement inside the open transaction."""
-        self._connection.execute(sql, values)
+    def run(self, sql: str, *values: Any) -> int:
+        """Number of rows that a statement inside the open transaction changed."""
+        return self._connection.execute(sql, values).rowcount
 
     def insert(self, table: str, **columns: Any) -> int:
         """Id of a new row."""
@@ -72,72 +98,50 @@ class Database:
         names = ", ".join(f"{name} = ?" for name in columns)
         self.run(f"UPDATE {table} SET {names} WHERE id = ?", *columns.values(), row_id)
 
-    def log(self, job_id: int, kind: str, text: str) -> None:
-        """Add to the history of a job."""
-        self.insert("events", at=self.stamp(), job_id=job_id, kind=kind, text=text)
+    def log(self, job_id: int, kind: str, text: str, **facts: Any) -> None:
+        """Add to the history of a job; the sinks tell it to others from here."""
+        last = self.one("SELECT chain FROM events ORDER BY id DESC LIMIT 1")
+        entry = audit.Entry(self.stamp(), job_id, kind, text, audit.facts_text(facts))
+        chain = audit.link(last["chain"] if last else "", entry)
+        self.insert("events", **entry._asdict(), chain=chain)
 
     def stamp(self) -> str:
         """The present as the journal writes it."""
         return self._now().isoformat()
 
+    def changes(self) -> int:
+        """A number that grows when somebody else has written."""
+        row = self.one("PRAGMA data_version")
+        return int(row[0]) if row else 0
 
-def _open(path: Path) -> sqlite3.Connection:
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        connection = sqlite3.connect(
-            path, timeout=BUSY_TIMEOUT_S, isolation_level=None, check_same_thread=False
-        )
-    except (OSError, sqlite3.Error) as error:
-        msg = f"cannot open the journal {path}: {error}; check [state] folder"
-        raise JournalError(msg) from error
-    try:
-        connection.row_factory = sqlite3.Row
-        connection.execute("PRAGMA journal_mode=WAL")
-        connection.execute("PRAGMA synchronous=FULL")
-        connection.execute("PRAGMA foreign_keys=ON")
-        _migrate(connection, path)
-    except (sqlite3.Error, JournalError) as error:
-        connection.close()
-        if isinstance(error, JournalError):
-            raise
-        msg = f"the journal {path} cannot be used: {error}; restore it from a backup"
-        raise JournalError(msg) from error
-    return connection
+    def copy_to(self, target: sqlite3.Connection) -> None:
+        """Write a consistent copy of the whole journal, while others go on."""
+        with self._watched("the journal cannot be copied", ADVICE):
+            self._connection.backup(target)
 
+    def _bound_log(self) -> None:
+        """Keep the log below its limit, or refuse: a full disk would be worse."""
+        with suppress(FileNotFoundError):
+            if self._log_path.stat().st_size < LOG_LIMIT_BYTES:
+                return
+            busy = self._connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+            if busy.fetchone()[0]:
+                msg = (
+                    f"{self._log_path} is full and another program keeps the journal "
+                    "open: end that program"
+                )
+                raise JournalError(msg)
 
-@contextmanager
-def _transaction(connection: sqlite3.Connection) -> Iterator[None]:
-    try:
-        connection.execute("BEGIN IMMEDIATE")
-        yield
-        connection.execute("COMMIT")
-    except sqlite3.Error as error:
-        _roll_back(connection)
-        msg = (
-            f"the journal refused to store: {error}; free disk space or check the disk"
-        )
-        raise JournalError(msg) from error
-    except BaseException:
-        _roll_back(connection)
-        raise
+    @contextmanager
+    def _watched(self, what: str, advice: str) -> Iterator[None]:
+        try:
+            yield
+        except sqlite3.Error as error:
+            if getattr(error, "sqlite_errorcode", None) in DAMAGED:
+                suspect_path(self._path).touch()
+            raise journal_error(error, what, advice) from error
 
-
-def _roll_back(connection: sqlite3.Connection) -> None:
-    if connection.in_transaction:
-        connection.execute("ROLLBACK")
-
-
-def _migrate(connection: sqlite3.Connection, path: Path) -> None:
-    with _transaction(connection):
-        version = connection.execute("PRAGMA user_version").fetchone()[0]
-        if version > len(MIGRATIONS):
-            msg = (
-                f"the journal {path} was written by a newer paintlink (version "
-                f"{version}, this one knows {len(MIGRATIONS)}): update paintlink"
-            )
-            raise JournalError(msg)
-        for number, script in enumerate(MIGRATIONS[version:], start=version + 1):
-            for statement in script.split(";"):
-                if statement.strip():
-                    connection.execute(statement)
-            connection.execute(f"PRAGMA user_version={number}")
+    def _roll_back(self) -> None:
+        with suppress(sqlite3.Error):
+            if self._connection.in_transaction:
+                self._connection.execute("ROLLBACK")

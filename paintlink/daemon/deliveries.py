@@ -61,6 +61,13 @@ class Deliveries:
             self._db.update(
                 "deliveries", delivery.id, state="publishing", name=name, sha256=sha256
             )
+            self._db.log(
+                delivery.job_id,
+                "staged",
+                f"{delivery.route} {name}",
+                delivery=delivery.id,
+                sha256=sha256,
+            )
         return replace(delivery, state="publishing", name=name, sha256=sha256)
 
     def settle(self, delivery: Delivery, state: DeliveryState, note: str = "") -> None:
@@ -69,7 +76,14 @@ class Deliveries:
         columns["error"] = note if state in {"stale", "unknown", "failed"} else ""
         with self._db.transaction():
             self._db.update("deliveries", delivery.id, state=state, **columns)
-            self._db.log(delivery.job_id, state, f"{delivery.route} {note}".strip())
+            self._db.log(
+                delivery.job_id,
+                state,
+                f"{delivery.route} {note}".strip(),
+                delivery=delivery.id,
+                path=f"{delivery.folder}/{delivery.name}",
+                sha256=delivery.sha256,
+            )
 
     def postpone(self, delivery: Delivery, retry_at_s: float, error: str) -> None:
         """Try again later, from the same state.

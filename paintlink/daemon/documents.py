@@ -51,6 +51,7 @@ def reading_to_json(reading: Reading) -> str:
         "texture": [asdict(value) for value in measured.texture],
         "averaged": measured.averaged,
         "data_mode": measured.data_mode,
+        "record": measured.record,
     })
 
 
@@ -66,6 +67,7 @@ def reading_from_json(text: str, raw: bytes) -> Reading:
         averaged=data["averaged"],
         data_mode=data["data_mode"],
         raw=raw,
+        record=data.get("record", ""),
     )
     calibration = data["calibration"]
     return Reading(

@@ -28,9 +28,21 @@ JOB_ORDER = "SELECT * FROM jobs {where} ORDER BY id {order} LIMIT ?"
 
 
 def reading_key(reading: Reading) -> str:
-    """The identity of a reading: the same bytes at the same time are the same one."""
-    text = f"{reading.instrument.serial}\0{reading.taken_at.isoformat()}\0"
-    return hashlib.sha256(text.encode() + reading.measurement.raw).hexdigest()
+    """The identity of a reading, in hex.
+
+    An instrument that numbers its readings says itself which are the same one. Of
+    others, the same bytes at the same time are.
+    """
+    measured = reading.measurement
+    when = measured.record or reading.taken_at.isoformat()
+    text = f"{reading.instrument.serial}\0{when}\0"
+    return hashlib.sha256(text.encode() + measured.raw).hexdigest()
+
+
+def sha256(data: bytes | str) -> str:
+    """Hash of bytes or of a text in UTF-8, in hex."""
+    raw = data.encode() if isinstance(data, str) else data
+    return hashlib.sha256(raw).hexdigest()
 
 
 class Journal:
@@ -78,35 +90,51 @@ class Journal:
                     "SELECT token FROM jobs WHERE reading_id = ?", known[0]
                 )
                 return str(job["token"]) if job else ""
+            document, raw = reading_to_json(reading), reading.measurement.raw
             reading_id = self._db.insert(
                 "readings",
                 key=key,
                 source=source,
                 taken_at=reading.taken_at.isoformat(),
-                document=reading_to_json(reading),
-                raw=reading.measurement.raw,
+                document=document,
+                raw=raw,
             )
             job_id, token = self._add_job(
                 key, "received", source, reading.origin, reading_id=reading_id
             )
-            self._db.log(job_id, "reading", f"{source}: {reading.instrument.model}")
+            self._db.update("readings", reading_id, job_id=job_id)
+            self._db.log(
+                job_id,
+                "reading",
+                f"{source}: {reading.instrument.model}",
+                reading=reading_id,
+                raw_sha256=sha256(raw),
+                document_sha256=sha256(document),
+            )
         return token
 
-    def accept_file(self, name: str, sha256: str, spec: ColorSpec) -> str:
+    def accept_file(self, name: str, content_sha256: str, spec: ColorSpec) -> str:
         """Token of the job for a specification that arrived as a file."""
         origin: Origin = spec.provenance.origin if spec.provenance else "real"
+        document = write_spec(spec)
         with self._db.transaction():
             job_id, token = self._add_job(
-                sha256, "specified", name, origin, spec=write_spec(spec)
+                content_sha256, "specified", name, origin, spec=document
             )
             self._db.insert(
                 "files",
-                sha256=sha256,
+                sha256=content_sha256,
                 name=name,
                 job_id=job_id,
                 accepted_at=self._db.stamp(),
             )
-            self._db.log(job_id, "file", name)
+            self._db.log(
+                job_id,
+                "file",
+                name,
+                file_sha256=content_sha256,
+                spec_sha256=sha256(document),
+            )
         return token
 
     def file_name(self, sha256: str) -> str | None:
@@ -131,9 +159,10 @@ class Journal:
 
     def set_specified(self, job: Job, spec: ColorSpec) -> None:
         """Keep the specification made from a reading."""
+        document = write_spec(spec)
         with self._db.transaction():
-            self._db.update("jobs", job.id, spec=write_spec(spec), state="specified")
-            self._db.log(job.id, "specified", spec.name)
+            self._db.update("jobs", job.id, spec=document, state="specified")
+            self._db.log(job.id, "specified", spec.name, spec_sha256=sha256(document))
 
     def set_matched(
         self,
@@ -143,8 +172,9 @@ class Journal:
         routes: Iterable[tuple[str, str]],
     ) -> None:
         """Keep the ranked list and open one delivery for each (route, folder)."""
+        document = write_spec(spec)
         with self._db.transaction():
-            self._db.update("jobs", job.id, spec=write_spec(spec), state="matched")
+            self._db.update("jobs", job.id, spec=document, state="matched")
             self._db.run("DELETE FROM matches WHERE job_id = ?", job.id)
             for match in matches:
                 self._db.insert(
@@ -155,7 +185,22 @@ class Journal:
                 )
             for route, folder in routes:
                 self.deliveries.open(job.id, route, folder, copy=1)
-            self._db.log(job.id, "matched", matches[0].code if matches else "nothing")
+            best = matches[0] if matches else None
+            self._db.log(
+                job.id,
+                "matched",
+                best.code if best else "nothing",
+                spec_sha256=sha256(document),
+                **(
+                    {
+                        "total": best.total,
+                        "library": best.library,
+                        "generation": best.generation,
+                    }
+                    if best
+                    else {}
+                ),
+            )
 
     def finish(self, job: Job, text: str) -> None:
         """Nothing is left to do for the job."""

@@ -1,90 +1,59 @@
-"""The journal's tables, one numbered migration after another."""
+"""The journal's tables: one numbered SQL file in ``migrations/`` after another.
+
+To change a table, add a file with the next number; a file that was released is never
+edited again, for journals in the field have run it already.
+"""
 
 from __future__ import annotations
 
-MIGRATIONS: tuple[str, ...] = (
+import sqlite3
+from collections.abc import Iterator
+from functools import cache
+from importlib import resources
+
+from paintlink.errors import JournalError
+
+
+@cache
+def migrations() -> tuple[tuple[str, ...], ...]:
+    """The statements of every migration, in the order of their numbers.
+
+    Raises
+    ------
+    JournalError
+        When the numbers of the files are not 1, 2, 3, ...
     """
-    CREATE TABLE readings (
-        id INTEGER PRIMARY KEY,
-        key TEXT NOT NULL UNIQUE,
-        source TEXT NOT NULL,
-        taken_at TEXT NOT NULL,
-        document TEXT NOT NULL,
-        raw BLOB NOT NULL
-    ) STRICT;
+    folder = resources.files("paintlink.daemon") / "migrations"
+    names = sorted(one.name for one in folder.iterdir() if one.name.endswith(".sql"))
+    for number, name in enumerate(names, start=1):
+        if not name.startswith(f"{number:04d}_"):
+            msg = f"{name}: migration {number} was expected; number the files anew"
+            raise JournalError(msg)
+    return tuple(
+        tuple(_statements((folder / name).read_text("utf-8"))) for name in names
+    )
 
-    CREATE TABLE jobs (
-        id INTEGER PRIMARY KEY,
-        token TEXT NOT NULL UNIQUE,
-        reading_id INTEGER REFERENCES readings (id),
-        source TEXT NOT NULL,
-        origin TEXT NOT NULL CHECK (origin IN ('real', 'simulated')),
-        state TEXT NOT NULL
-            CHECK (state IN ('received', 'specified', 'matched', 'done', 'failed')),
-        spec BLOB,
-        error TEXT NOT NULL DEFAULT '',
-        created_at TEXT NOT NULL,
-        CHECK (reading_id IS NOT NULL OR spec IS NOT NULL)
-    ) STRICT;
-    CREATE INDEX jobs_waiting ON jobs (state, id) WHERE state NOT IN ('done', 'failed');
 
-    CREATE TABLE matches (
-        job_id INTEGER NOT NULL REFERENCES jobs (id),
-        rank INTEGER NOT NULL,
-        document TEXT NOT NULL,
-        PRIMARY KEY (job_id, rank)
-    ) STRICT, WITHOUT ROWID;
+def newest_version() -> int:
+    """The version of a journal that this program writes."""
+    return len(migrations())
 
-    CREATE TABLE deliveries (
-        id INTEGER PRIMARY KEY,
-        job_id INTEGER NOT NULL REFERENCES jobs (id),
-        route TEXT NOT NULL,
-        copy INTEGER NOT NULL DEFAULT 1,
-        folder TEXT NOT NULL,
-        state TEXT NOT NULL CHECK (
-            state IN ('pending', 'publishing', 'written', 'stale', 'taken', 'failed',
-                'unknown')
-        ),
-        name TEXT NOT NULL DEFAULT '',
-        sha256 TEXT NOT NULL DEFAULT '',
-        error TEXT NOT NULL DEFAULT '',
-        attempts INTEGER NOT NULL DEFAULT 0,
-        retry_at REAL NOT NULL DEFAULT 0,
-        written_at TEXT NOT NULL DEFAULT '',
-        UNIQUE (job_id, route, copy)
-    ) STRICT;
-    CREATE INDEX deliveries_open ON deliveries (state, retry_at)
-        WHERE state IN ('pending', 'publishing', 'written', 'stale');
 
-    CREATE TABLE previews (
-        job_id INTEGER PRIMARY KEY REFERENCES jobs (id),
-        state TEXT NOT NULL CHECK (state IN ('pending', 'done', 'failed')),
-        path TEXT NOT NULL DEFAULT '',
-        note TEXT NOT NULL DEFAULT ''
-    ) STRICT;
+def migrate(connection: sqlite3.Connection, version: int) -> None:
+    """Bring a journal of a version to the newest, inside the caller's transaction.
 
-    CREATE TABLE files (
-        sha256 TEXT PRIMARY KEY,
-        name TEXT NOT NULL,
-        job_id INTEGER NOT NULL REFERENCES jobs (id),
-        accepted_at TEXT NOT NULL
-    ) STRICT, WITHOUT ROWID;
+    Foreign keys must be off: tables are replaced by wider ones of the same name.
+    """
+    for number, statements in enumerate(migrations()[version:], start=version + 1):
+        for statement in statements:
+            connection.execute(statement)
+        connection.execute(f"PRAGMA user_version={number}")
 
-    CREATE TABLE instruments (
-        name TEXT PRIMARY KEY,
-        state TEXT NOT NULL,
-        text TEXT NOT NULL,
-        identity TEXT NOT NULL,
-        changed_at TEXT NOT NULL
-    ) STRICT, WITHOUT ROWID;
 
-    CREATE TABLE events (
-        id INTEGER PRIMARY KEY,
-        at TEXT NOT NULL,
-        job_id INTEGER REFERENCES jobs (id),
-        kind TEXT NOT NULL,
-        text TEXT NOT NULL
-    ) STRICT;
-    CREATE INDEX events_of_job ON events (job_id, id);
-    """,
-)
+def _statements(script: str) -> Iterator[str]:
+    statement = ""
+    for line in script.splitlines(keepends=True):
+        statement += line
+        if sqlite3.complete_statement(statement):
+            yield statement
+            statement = ""

@@ -142,7 +142,9 @@ class Measurement:
     """What an instrument delivered, unconverted.
 
     Either ``spectra`` or ``lab`` is present (or both), one row per geometry.
-    ``raw`` holds the bytes the values were read from.
+    ``raw`` holds the bytes the values were read from. ``record`` is the instrument's
+    own number or time of this reading, by which a repeated transfer is recognised;
+    empty when it has none.
     """
 
     geometries: tuple[Geometry, ...]
@@ -153,6 +155,7 @@ class Measurement:
     averaged: int = 1
     data_mode: str = ""
     raw: bytes = b""
+    record: str = ""
 
     def __post_init__(self) -> None:
         if self.spectra is None and self.lab is None:
