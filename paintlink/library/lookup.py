@@ -53,26 +53,27 @@ def paint_spec(
     )
 
 
-def column(table: PaintTable, angle_deg: float) -> int:
-    """Index of an aspecular angle on the second axis of ``table.lab``.
+def column(library: str, angles_deg: tuple[float, ...], angle_deg: float) -> int:
+    """Index of an aspecular angle on the second axis of the Lab of a library.
 
     Raises
     ------
     LibraryError
         When the library was not measured there.
     """
-    if angle_deg not in table.angles_deg:
-        known = ", ".join(f"{angle:g}" for angle in table.angles_deg)
+    if angle_deg not in angles_deg:
+        known = ", ".join(f"{angle:g}" for angle in angles_deg)
         msg = (
-            f"{table.library} has no Lab at {angle_deg:g} degrees, only at {known}: "
+            f"{library} has no Lab at {angle_deg:g} degrees, only at {known}: "
             "ask for one of these, or take a library that has it"
         )
         raise LibraryError(msg)
-    return table.angles_deg.index(angle_deg)
+    return angles_deg.index(angle_deg)
 
 
 def _sample(table: PaintTable, row: int, angle_deg: float) -> Sample:
-    return Sample(angle_deg, Lab(*table.lab[row, column(table, angle_deg)].tolist()))
+    place = column(table.library, table.angles_deg, angle_deg)
+    return Sample(angle_deg, Lab(*table.lab[row, place].tolist()))
 
 
 def _gloss(table: PaintTable, row: int) -> Gloss | None:

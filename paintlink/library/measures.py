@@ -7,16 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from paintlink.color import (
-    LEAVES,
-    TRAVEL_ANGLES_DEG,
-    Leaf,
-    chroma_index_array,
-    flop_index_array,
-    hue_shift_index_array,
-    leaf_indices,
-)
-from paintlink.library.lookup import column
+from paintlink.color import LEAVES, Leaf
+from paintlink.library.columns import columns
 from paintlink.model import FINISHES, Finish, FloatArray, PaintTable
 
 USUAL_FLOP_LIMIT = 20.0
@@ -53,22 +45,18 @@ class Statistics:
 
 def indices(table: PaintTable) -> Indices:
     """Flop, hue shift and chroma index of every paint."""
-    lab = table.lab[:, [column(table, angle) for angle in TRAVEL_ANGLES_DEG]]
-    return Indices(
-        flop=flop_index_array(lab),
-        hue_shift=hue_shift_index_array(lab),
-        chroma=chroma_index_array(lab),
-    )
+    known = columns(table)
+    return Indices(flop=known.flop, hue_shift=known.hue_shift, chroma=known.chroma)
 
 
-def leaves(table: PaintTable) -> NDArray[np.int64]:
+def leaves(table: PaintTable) -> NDArray[np.int8]:
     """Index into `paintlink.color.LEAVES` of every paint, -1 for unknown finishes."""
-    return leaf_indices(table.lab[:, column(table, 45.0)], table.finishes)
+    return columns(table).leaves
 
 
 def statistics(table: PaintTable) -> Statistics:
     """Counts by finish and leaf, and the flop index of the effect paints."""
-    effect = np.array(table.finishes) != "solid"
+    effect = ~columns(table).where("solid")
     flop = indices(table).flop[effect]
     flop = flop[np.isfinite(flop)]
     drawers = leaves(table)

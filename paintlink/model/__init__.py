@@ -22,7 +22,7 @@ from paintlink.model._base import (
     Observer,
     Origin,
 )
-from paintlink.model._paint import Match, PaintTable
+from paintlink.model._paint import Facet, Match, PaintTable
 from paintlink.model._reading import (
     Calibration,
     Geometry,
@@ -57,6 +57,7 @@ __all__ = [
     "Calibration",
     "CalibrationState",
     "ColorSpec",
+    "Facet",
     "Finish",
     "FloatArray",
     "Geometry",

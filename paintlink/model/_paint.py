@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,6 +42,27 @@ class Match:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Facet:
+    """One further column of a library, such as brand, maker or year.
+
+    Parameters
+    ----------
+    values
+        The distinct values, sorted.
+    codes
+        Index into ``values`` of every paint, -1 where it has none, shape (n,).
+    """
+
+    values: tuple[str, ...]
+    codes: NDArray[np.int32]
+
+    def value(self, row: int) -> str:
+        """Value of one paint, empty where it has none."""
+        code = int(self.codes[row])
+        return self.values[code] if code >= 0 else ""
+
+
+@dataclass(frozen=True, slots=True, eq=False, weakref_slot=True)
 class PaintTable:
     """A library in memory: one row per paint, ordered by its stable id.
 
@@ -52,6 +74,8 @@ class PaintTable:
         Aspecular angles of the Lab columns, ascending, shape (m,).
     lab
         D65, shape (n, m, 3).
+    facets
+        Further columns by their name; some libraries read them when they are asked for.
     """
 
     library: str
@@ -65,6 +89,7 @@ class PaintTable:
     angles_deg: tuple[float, ...]
     lab: FloatArray
     gloss_gu: FloatArray | None = None
+    facets: Mapping[str, Facet] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         rows = {len(self.ids), len(self.codes), len(self.names), len(self.finishes)}
