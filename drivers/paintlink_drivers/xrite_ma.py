@@ -52,6 +52,8 @@ def create(link: Link, options: Mapping[str, object]) -> instrument.Driver:
 class Reader:
     """Arms the instrument, waits for the press and reads the memory."""
 
+    trigger: instrument.Trigger = "operator"
+
     def __init__(self, link: Link, options: Options) -> None:
         self._link = link
         self._options = options
@@ -110,6 +112,8 @@ class Reader:
 
 class Listener:
     """Sends nothing; each printed report is a reading."""
+
+    trigger: instrument.Trigger = "operator"
 
     def __init__(self, link: Link, options: Options) -> None:
         self._link = link

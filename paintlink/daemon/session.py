@@ -22,7 +22,7 @@ from paintlink.instrument import (
     SerialSettings,
     load_driver,
 )
-from paintlink.links import CaptureWriter, Verb, is_simulated_path, open_serial
+from paintlink.links import CaptureWriter, Verb, is_simulated_path, open_link
 from paintlink.model import (
     Calibration,
     CalibrationState,
@@ -67,7 +67,7 @@ class Session:
         self._settings = settings
         self._now = now
         line = _line(settings, module.INFO.serial)
-        self._stream = open_serial(settings.port, line)
+        self._stream = open_link(settings.port, line, module.INFO.usb)
         self._capture: CaptureWriter | None = None
         try:
             if captures is not None:

@@ -6,7 +6,8 @@ from paintlink.instrument._contract import (
     DriverModule,
     Prompt,
     SerialSettings,
-    Transport,
+    Trigger,
+    UsbSettings,
 )
 from paintlink.instrument._dialogue import ask
 from paintlink.instrument._framing import line_size, up_to
@@ -44,7 +45,8 @@ __all__ = [
     "ReadingCheck",
     "SerialSettings",
     "Tap",
-    "Transport",
+    "Trigger",
+    "UsbSettings",
     "ask",
     "complete",
     "describe_options",

@@ -11,7 +11,7 @@ from paintlink.instrument._options import OptionSet, option
 from paintlink.model import CalibrationState, Geometry, Instrument, Measurement
 
 Prompt = Callable[[str], None]
-Transport = Literal["serial"]
+Trigger = Literal["operator", "host"]
 
 BAUD_RATES = (
     *(300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200),
@@ -41,6 +41,31 @@ class SerialSettings:
 
 
 @dataclass(frozen=True, slots=True)
+class UsbSettings:
+    """How an instrument is found on USB and where its bytes go.
+
+    Parameters
+    ----------
+    out_endpoint
+        None: commands go out as control transfers with ``control_request``, that is
+        bmRequestType, bRequest, wValue, wIndex.
+    """
+
+    vendor_id: int
+    product_id: int
+    in_endpoint: int = 0x81
+    out_endpoint: int | None = None
+    control_request: tuple[int, int, int, int] = (0x41, 0, 0, 0)
+    configuration: int = 1
+    interface: int = 0
+
+    @property
+    def usb_id(self) -> str:
+        """Vendor and product as `lsusb` writes them: ``0765:d020``."""
+        return f"{self.vendor_id:04x}:{self.product_id:04x}"
+
+
+@dataclass(frozen=True, slots=True)
 class DriverInfo:
     """What is known of an instrument before it is connected.
 
@@ -54,6 +79,8 @@ class DriverInfo:
         The driver's options, all at their defaults.
     hardware_tested
         Whether the driver ever met a real instrument.
+    usb
+        How it is reached on USB; None when it has a serial line only.
     """
 
     id: str
@@ -62,7 +89,7 @@ class DriverInfo:
     options: OptionSet
     serial: SerialSettings
     hardware_tested: bool
-    transport: Transport = "serial"
+    usb: UsbSettings | None = None
 
     @property
     def label(self) -> str:
@@ -77,6 +104,14 @@ class Driver(Protocol):
     ``InstrumentError`` and ``CancelledError``. A driver never opens a port, never
     repeats a reading by itself and never sleeps.
     """
+
+    @property
+    def trigger(self) -> Trigger:
+        """Who starts a reading.
+
+        ``operator``: `measure` waits for the press. ``host``: it measures at once.
+        """
+        ...
 
     def identify(self) -> Instrument:
         """Return what the instrument says it is.

@@ -1,5 +1,6 @@
-"""The only place that opens ports: serial lines, their discovery, captured sessions."""
+"""The only place that opens ports: serial lines, USB, discovery, captured sessions."""
 
+from paintlink.links.addresses import Kind, kind_of, open_link
 from paintlink.links.capture import (
     Call,
     Capture,
@@ -17,6 +18,7 @@ __all__ = [
     "Capture",
     "CaptureWriter",
     "Event",
+    "Kind",
     "Outcome",
     "PortInfo",
     "ReplayStream",
@@ -24,6 +26,8 @@ __all__ = [
     "Verb",
     "candidates",
     "is_simulated_path",
+    "kind_of",
+    "open_link",
     "open_serial",
     "read_capture",
     "replay",

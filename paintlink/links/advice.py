@@ -24,7 +24,12 @@ def cannot_open(
     """Return the error to raise when opening failed."""
     code, reason = _system_error(failure)
     if isinstance(failure, ValueError):
-        msg = f"{address} is no address of a port: {_FORMS}"
+        msg = f"{address} is no address of a port: {FORMS}"
+    elif "option 'control'" in str(failure):
+        msg = (
+            f"{address} cannot set the DTR and RTS lines: write "
+            f"{address}?ign_set_control"
+        )
     elif "://" in address:
         msg = (
             f"{address} cannot be reached ({reason}): check host and port, and that "
@@ -118,8 +123,9 @@ def _system_error(failure: BaseException) -> tuple[int | None, str]:
     return None, str(failure)
 
 
-_FORMS = (
-    "write a device such as /dev/ttyUSB0, socket://host:port or rfc2217://host:port"
+FORMS = (
+    "write a device such as /dev/ttyUSB0, socket://host:port, rfc2217://host:port, "
+    "usb://VID:PID/SERIAL or usb+ip://host:port/busid"
 )
 
 
@@ -134,7 +140,7 @@ def _busy(address: str) -> str:
 
 
 def _no_port(address: str) -> str:
-    return f"{address} is not a serial port: {_FORMS}"
+    return f"{address} is not a serial port: {FORMS}"
 
 
 def _no_hardware(address: str) -> str:

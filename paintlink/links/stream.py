@@ -66,6 +66,10 @@ class SerialStream:
 
     def close(self) -> None:
         """Give the port back; never fails."""
+        if not _remote(self._address):
+            with contextlib.suppress(*FAILURES):
+                # Closing would wait up to 30 s for an instrument that takes nothing.
+                self._port.reset_output_buffer()
         with contextlib.suppress(*FAILURES):
             self._port.close()
 

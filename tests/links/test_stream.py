@@ -13,6 +13,7 @@ from serial import SerialException, rfc2217
 from paintlink.errors import LinkError, LinkTimeoutError
 from paintlink.instrument import Link, SerialSettings
 from paintlink.links import SerialStream, open_serial
+from paintlink.links.advice import cannot_open
 
 LINE = SerialSettings()
 EVERY_BYTE = bytes(range(256))
@@ -346,6 +347,9 @@ def test_failure_while_closing_is_swallowed():
     class Broken:
         closed = False
 
+        def reset_output_buffer(self):
+            raise termios.error(errno.EIO, "I/O error")
+
         def close(self):
             self.closed = True
             raise OSError(errno.EIO, "I/O error")
@@ -355,3 +359,14 @@ def test_failure_while_closing_is_swallowed():
     SerialStream(port, "/dev/ttyUSB0").close()
 
     assert port.closed
+
+
+def test_server_without_modem_lines_is_told_from_one_that_is_away():
+    failure = SerialException("timeout while waiting for option 'control'")
+
+    error = cannot_open("rfc2217://host:4001", LINE, failure)
+
+    assert str(error) == (
+        "rfc2217://host:4001 cannot set the DTR and RTS lines: write "
+        "rfc2217://host:4001?ign_set_control"
+    )

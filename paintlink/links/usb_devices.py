@@ -1,0 +1,134 @@
+"""Devices on USB, found by vendor, product and serial number."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from typing import Any
+
+import usb.backend.libusb1
+import usb.core
+
+from paintlink.errors import LinkError
+from paintlink.links.advice import FAILURES
+from paintlink.links.usb_advice import node_of, problem_of
+
+NO_LIBUSB = (
+    "USB instruments need libusb, which is not installed: run "
+    "`sudo apt install libusb-1.0-0`"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class UsbInfo:
+    """One USB device.
+
+    Parameters
+    ----------
+    address
+        What to configure as ``port``.
+    usb_id
+        Vendor and product, ``0765:d020``.
+    problem
+        What keeps us from using it and what to do; empty when nothing does.
+    """
+
+    address: str
+    usb_id: str
+    serial_number: str
+    description: str
+    node: str
+    problem: str
+
+
+def libusb() -> object:
+    """Return a fresh back end on libusb.
+
+    It is fresh because a list of devices is frozen at its first use where no udev runs,
+    as in a container.
+
+    Raises
+    ------
+    LinkError
+        When the library is not installed.
+    """
+    found = usb.backend.libusb1.get_backend()
+    if found is None:
+        raise LinkError(NO_LIBUSB)
+    return type(found)(found.lib)
+
+
+def find_device(
+    backend: object, vendor: int, product: int, serial: str, *, address: str
+) -> Any:
+    """Return the one device that fits; any serial number fits an empty one.
+
+    Raises
+    ------
+    LinkError
+        When there is none, or more than one.
+    """
+    try:
+        fitting = [
+            device
+            for device in usb.core.find(
+                find_all=True, backend=backend, idVendor=vendor, idProduct=product
+            )
+            if not serial or _serial(device) == serial
+        ]
+    except FAILURES as failure:
+        msg = f"{address} cannot be looked for ({failure}): plug it out and in again"
+        raise LinkError(msg) from failure
+    if len(fitting) > 1:
+        numbers = ", ".join(sorted(_serial(one) or "unknown" for one in fitting))
+        msg = (
+            f"{address} fits {len(fitting)} devices (serial numbers {numbers}): write "
+            f"the one you mean, as in usb://{vendor:04x}:{product:04x}/SERIAL"
+        )
+        raise LinkError(msg)
+    if not fitting:
+        msg = f"{address} is not plugged in, or switched off: check the USB cable"
+        raise LinkError(msg)
+    return fitting[0]
+
+
+def usb_devices(
+    ids: Collection[str], backend: object | None = None
+) -> tuple[UsbInfo, ...]:
+    """Return the devices on USB whose vendor and product are among ``ids``.
+
+    Raises
+    ------
+    LinkError
+        When libusb is not installed.
+    """
+    found = usb.core.find(find_all=True, backend=backend or libusb())
+    return tuple(_describe(device) for device in found if _usb_id(device) in ids)
+
+
+def _describe(device: Any) -> UsbInfo:
+    usb_id, serial = _usb_id(device), _serial(device)
+    return UsbInfo(
+        address=f"usb://{usb_id}/{serial}".rstrip("/"),
+        usb_id=usb_id,
+        serial_number=serial,
+        description=_text(device, "product"),
+        node=node_of(device),
+        problem=problem_of(device),
+    )
+
+
+def _usb_id(device: Any) -> str:
+    return f"{device.idVendor:04x}:{device.idProduct:04x}"
+
+
+def _serial(device: Any) -> str:
+    return _text(device, "serial_number")
+
+
+def _text(device: Any, name: str) -> str:
+    try:
+        return str(getattr(device, name) or "")
+    except FAILURES:
+        # Reading a text opens the device, which may be forbidden.
+        return ""
