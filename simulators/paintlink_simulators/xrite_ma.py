@@ -23,9 +23,9 @@ from typing import Any, Literal
 import numpy as np
 
 from paintlink.color import lab_to_lch, reflectance_to_lab
-from paintlink.errors import ConfigError
+from paintlink_simulators._instrument import CommonOptions, Condition, Instrument
 from paintlink_simulators._simulator import Clock
-from paintlink_simulators.paint import TYPICAL, Panel, Repeatability, noisy
+from paintlink_simulators.paint import Panel
 
 MODELS: Mapping[str, tuple[float, ...]] = MappingProxyType({
     "MA58": (25.0, 45.0, 75.0),
@@ -34,17 +34,21 @@ MODELS: Mapping[str, tuple[float, ...]] = MappingProxyType({
 })
 """Aspecular angles by model."""
 
-HOST_LINE_END = b"\r"
 DUMP = re.compile(r"([0-9A-F]{4})([0-9A-F]{4})i")
 MEMORY_START = 0x2000
 SHORTEST_DUMP = 380
 WHITE = 32768
 RESET_S = 0.3
 STANDARD = 0.0
+REFUSALS: Mapping[Condition, str] = MappingProxyType({
+    "warming": "LAMP WARMING UP",
+    "battery_low": "BATTERY LOW",
+    "memory_full": "MEMORY FULL",
+})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Options:
+class Options(CommonOptions):
     """What differs between instruments, or is not known of the real one.
 
     Parameters
@@ -67,22 +71,15 @@ class Options:
     grouping: Literal[0, 8, 16] = 0
     terminator: Literal["\r", "\n", "\r\n"] = "\r\n"
     echo: bool = False
-    calibrated: bool = True
-    plate_on: bool = False
     heading: tuple[str, ...] = ("REFLECTANCE  STANDARD  SAMPLE",)
-    repeatability: Repeatability = TYPICAL
 
     def __post_init__(self) -> None:
-        self._check("model", tuple(MODELS))
-        self._check("grouping", (0, 8, 16))
-        self._check("terminator", ("\r", "\n", "\r\n"))
-
-    def _check(self, option: str, choices: tuple[object, ...]) -> None:
-        value = getattr(self, option)
-        if value not in choices:
-            known = ", ".join(map(repr, choices))
-            msg = f"simulator xrite_ma: {option} = {value!r} is not one of {known}"
-            raise ConfigError(msg)
+        self.check(
+            "xrite_ma",
+            model=tuple(MODELS),
+            grouping=(0, 8, 16),
+            terminator=("\r", "\n", "\r\n"),
+        )
 
 
 def create(panel: Panel, *, clock: Clock, seed: int = 0, **options: Any) -> XriteMa:
@@ -90,33 +87,20 @@ def create(panel: Panel, *, clock: Clock, seed: int = 0, **options: Any) -> Xrit
     return XriteMa(panel, clock, seed, Options(**options))
 
 
-class XriteMa:
+class XriteMa(Instrument):
     """The instrument as a state machine from bytes to bytes; see `Simulator`."""
 
     __slots__ = (
         "_awaits",
-        "_calibrated",
         "_memory",
         "_options",
-        "_received",
-        "_reset_at",
-        "_rng",
-        "clock",
-        "panel",
-        "plate_on",
     )
 
     def __init__(self, panel: Panel, clock: Clock, seed: int, options: Options) -> None:
-        self.panel = panel
-        self.clock = clock
-        self.plate_on = options.plate_on
+        super().__init__(panel, clock, seed, options)
         self._options = options
-        self._rng = np.random.default_rng(seed)
-        self._calibrated = options.calibrated
         self._awaits: Literal["nothing", "sample", "plate"] = "nothing"
         self._memory = b""
-        self._received = b""
-        self._reset_at: float | None = None
 
     @property
     def armed(self) -> bool:
@@ -128,43 +112,22 @@ class XriteMa:
         """Whether the next press answers `yw`."""
         return self._awaits == "plate"
 
-    def feed(self, data: bytes) -> bytes:
-        """The answers to the commands that ``data`` completes."""
-        self._received += data
-        return self.poll()
-
-    def poll(self) -> bytes:
-        """RESET when its time has come, and the answers to commands held up by it."""
-        sent = self._finished_reset()
-        while self._reset_at is None and HOST_LINE_END in self._received:
-            command, _, self._received = self._received.partition(HOST_LINE_END)
-            sent += self._execute(command.decode("latin-1"))
-        return sent
-
-    def due_at(self) -> float | None:
-        """When a running reset ends."""
-        return self._reset_at
-
-    def disconnect(self) -> None:
-        """Forget the unfinished command and a RESET still owed."""
-        self._received = b""
-        self._reset_at = None
-
-    def press(self) -> bytes:
+    def _on_press(self) -> bytes:
         """The report, or the outcome of the calibration, or a refusal."""
-        if self._reset_at is not None:
-            return b""
         awaited, self._awaits = self._awaits, "nothing"
         if awaited == "plate":
             self._calibrated = self.plate_on
             return self._line("OK" if self._calibrated else "CALIBRATION ERROR")
         if not self._calibrated:
             return self._line("CALIBRATION NEEDED")
+        if self._condition in REFUSALS:
+            return self._line(REFUSALS[self._condition])
         return self._measured()
 
-    def _execute(self, command: str) -> bytes:
-        echo = self._line(command) if self._options.echo else b""
-        return echo + self._answer(command)
+    def _execute(self, command: bytes) -> bytes:
+        text = command.decode("latin-1")
+        echo = self._line(text) if self._options.echo else b""
+        return echo + self._answer(text)
 
     def _answer(self, command: str) -> bytes:
         match command:
@@ -182,24 +145,22 @@ class XriteMa:
                 self._awaits = "plate"
                 return b""
             case "00A04Cw":
-                self._awaits = "sample"
-                return self._line("OK")
+                return self._arm()
         return self._dump(command)
 
     def _identity(self) -> str:
         options = self._options
         return options.identity or f"X-RITE {options.model} {options.firmware}"
 
+    def _arm(self) -> bytes:
+        if self._condition in REFUSALS:
+            return self._line(REFUSALS[self._condition])
+        self._awaits = "sample"
+        return self._line("OK")
+
     def _start_reset(self) -> bytes:
         self._awaits = "nothing"
-        self._reset_at = self.clock() + RESET_S
-        return b""
-
-    def _finished_reset(self) -> bytes:
-        if self._reset_at is None or self.clock() < self._reset_at:
-            return b""
-        self._reset_at = None
-        return self._line("RESET")
+        return self._work_for(RESET_S, lambda: self._line("RESET"))
 
     def _dump(self, command: str) -> bytes:
         match = DUMP.fullmatch(command)
@@ -226,14 +187,10 @@ class XriteMa:
         )
 
     def _measured(self) -> bytes:
-        angles = np.array(MODELS[self._options.model])
-        seen = replace(
-            self.panel, aspecular_deg=angles, factors=self.panel.factors_at(angles)
-        )
-        reading = noisy(seen, self._rng, self._options.repeatability)
+        reading = self._look(MODELS[self._options.model])
         counts = np.rint(reading.factors * WHITE).astype("<i4")
         self._memory = counts.tobytes()
-        return self._report(replace(seen, factors=counts / WHITE))
+        return self._report(replace(reading, factors=counts / WHITE))
 
     def _report(self, reading: Panel) -> bytes:
         rows = [*self._options.heading, *_spectral_rows(reading), *_color_rows(reading)]
