@@ -21,6 +21,7 @@ class Repeatability:
     floor: float
 
 
+EXACT = Repeatability(gain=0.0, floor=0.0)
 LABORATORY = Repeatability(gain=0.001, floor=0.0001)
 TYPICAL = Repeatability(gain=0.003, floor=0.0002)
 WORKSHOP = Repeatability(gain=0.005, floor=0.0003)

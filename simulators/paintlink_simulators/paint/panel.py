@@ -8,11 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from paintlink.errors import ReadingError
-from paintlink.model import FloatArray
+from paintlink.model import FloatArray, Texture
 from paintlink_simulators.paint.reconstruction import smoothest_factors
+from paintlink_simulators.paint.wavelengths import WAVELENGTHS_NM
 
-WAVELENGTHS_NM: FloatArray = np.arange(400.0, 701.0, 10.0)
-WAVELENGTHS_NM.setflags(write=False)
 MAX_FACTOR = 15.0
 """More than twice the brightest flake paint."""
 
@@ -28,11 +27,17 @@ class Panel:
     factors
         Shape (m, 31), 400 to 700 nm in steps of 10 nm; 1.0 = 100 %; effect paints
         exceed it.
+    gloss_gu
+        At 60 degrees, where it is known.
+    texture
+        Invented texture numbers, see `texture.texture`.
     """
 
     aspecular_deg: FloatArray
     factors: FloatArray
     name: str = ""
+    gloss_gu: float | None = None
+    texture: tuple[Texture, ...] = ()
 
     def __post_init__(self) -> None:
         angles = _readonly(self.aspecular_deg)
