@@ -108,6 +108,10 @@ class DesignError(InputError):
         super().__init__(": ".join(filter(None, (source, step, what))))
 
 
+class AnswerError(InputError):
+    """An answer of formulation software cannot be read, or contradicts its job."""
+
+
 class LinkError(PaintlinkError):
     """Reconnect: the connection to the instrument is gone or cannot be opened."""
 

@@ -10,6 +10,7 @@ from paintlink.errors import ExportError
 from paintlink.export.formats import Format
 from paintlink.export.names import SIMULATED_PREFIX, job_hash, safe_name
 from paintlink.export.stylesheet import run_stylesheet
+from paintlink.formulation import Panel, with_history
 from paintlink.model import ColorSpec, Origin
 from paintlink.spec import write_spec
 
@@ -19,13 +20,14 @@ class JobFacts:
     """What a file says about the job it belongs to.
 
     ``id`` is unique for ever; ``created_at`` is an aware time; ``copy`` counts explicit
-    resends from 1.
+    resends from 1. ``panels`` have been sprayed with earlier answers to the job.
     """
 
     id: str
     created_at: datetime
     origin: Origin
     copy: int = 1
+    panels: tuple[Panel, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +56,10 @@ def render(spec: ColorSpec, format: Format, *, job: JobFacts) -> ExportFile:
         )
         raise ExportError(msg, kind="starting-paint")
     data = run_stylesheet(
-        format.transform, write_spec(spec), _parameters(spec, job), format.source
+        format.transform,
+        with_history(write_spec(spec), job.panels),
+        _parameters(spec, job),
+        format.source,
     )
     return ExportFile(
         name=file_name(spec, format, job),
@@ -99,4 +104,5 @@ def _parameters(spec: ColorSpec, job: JobFacts) -> dict[str, str]:
         "created-at": f"{created.isoformat()}Z",
         "origin": _origin(spec, job),
         "copy": str(job.copy),
+        "iteration": str(len(job.panels)),
     }

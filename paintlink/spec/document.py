@@ -45,18 +45,29 @@ def valid_root(data: bytes) -> etree._Element:
     SpecError
         When the bytes are anything but a colour specification of format 1.
     """
-    require_small(len(data))
-    text = decoded(data)
-    before, doctype, _ = text.partition("<!DOCTYPE")
-    if doctype:
-        raise _doctype_error(before.count("\n") + 1)
-    root = parsed(text)
+    root = safe_root(data)
     _require_format(root)
     _require_few_nodes(root)
     violation = first_violation(root)
     if violation is not None:
         raise refusal(root, violation)
     return root
+
+
+def safe_root(data: bytes) -> etree._Element:
+    """Root of a small XML document without type declaration, whatever its schema.
+
+    Raises
+    ------
+    SpecError
+        When the bytes are too many, or no such document.
+    """
+    require_small(len(data))
+    text = decoded(data)
+    before, doctype, _ = text.partition("<!DOCTYPE")
+    if doctype:
+        raise _doctype_error(before.count("\n") + 1)
+    return parsed(text)
 
 
 def line_of(node: etree._Element) -> int | None:
@@ -67,7 +78,7 @@ def line_of(node: etree._Element) -> int | None:
 def require_small(size: int, source: str | None = None) -> None:
     """Refuse a document of more than 1 MiB, given its size in bytes."""
     if size > MAX_BYTES:
-        msg = f"larger than {MAX_BYTES} bytes: no colour specification needs as many"
+        msg = f"larger than {MAX_BYTES} bytes: no document about a colour needs as many"
         raise SpecError(msg, source=source, value=f"{size} bytes")
 
 

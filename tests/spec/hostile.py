@@ -18,7 +18,7 @@ _XML = "not well-formed XML"
 _FILE = f"file://{CANARY}"
 _HTTP = f"http://127.0.0.1:{PORT}/evil"
 _CROWD = "more than 8000 elements and attributes: no colour needs as many"
-_LARGE = "larger than 1048576 bytes: no colour specification needs as many"
+_LARGE = "larger than 1048576 bytes: no document about a colour needs as many"
 _ENCODING = "declares another encoding than its bytes are in: save it as"
 
 

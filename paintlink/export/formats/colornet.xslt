@@ -11,8 +11,9 @@
 <xsl:stylesheet version="1.0"
                 xmlns:xsl="http://www.w3.org/1999/XSL/Transform"
                 xmlns:spec="urn:paintlink:color-specification:1"
+                xmlns:past="urn:paintlink:formulation-history:1"
                 xmlns="urn:paintlink:colornet-job:1"
-                exclude-result-prefixes="spec">
+                exclude-result-prefixes="spec past">
 
   <format xmlns="urn:paintlink:export-format:1"
           id="colornet"
@@ -27,15 +28,18 @@
   <xsl:param name="created-at"/>
   <xsl:param name="origin"/>
   <xsl:param name="copy"/>
+  <xsl:param name="iteration" select="0"/>
 
   <xsl:template match="/spec:colorSpecification">
-    <colorNetJob id="{$job-id}" created="{$created-at}" origin="{$origin}" copy="{$copy}">
+    <colorNetJob id="{$job-id}" created="{$created-at}" origin="{$origin}" copy="{$copy}"
+                 iteration="{$iteration}">
       <name><xsl:value-of select="spec:name"/></name>
       <xsl:apply-templates select="spec:code"/>
       <finish><xsl:value-of select="spec:finish"/></finish>
       <xsl:apply-templates select="spec:samples"/>
       <xsl:apply-templates select="spec:gloss"/>
       <xsl:apply-templates select="spec:startingPaint"/>
+      <xsl:apply-templates select="past:history/past:panel"/>
     </colorNetJob>
   </xsl:template>
 
@@ -71,5 +75,21 @@
         </xsl:for-each>
       </differences>
     </startingPaint>
+  </xsl:template>
+
+  <xsl:template match="past:panel">
+    <panel iteration="{@iteration}">
+      <formula>
+        <xsl:for-each select="past:component">
+          <component toner="{@toner}" parts="{@parts}"/>
+        </xsl:for-each>
+      </formula>
+      <predicted><xsl:apply-templates select="past:predicted"/></predicted>
+      <measured><xsl:apply-templates select="past:measured"/></measured>
+    </panel>
+  </xsl:template>
+
+  <xsl:template match="past:predicted | past:measured">
+    <lab aspecular="{@aspecular}" L="{@L}" a="{@a}" b="{@b}"/>
   </xsl:template>
 </xsl:stylesheet>
