@@ -21,6 +21,7 @@ COMMANDS = {
     "design": "design",
     "devices": "devices",
     "export": "export",
+    "import": "import_",
     "jobs": "jobs",
     "library": "library",
     "measure": "measure",

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import logging
-from dataclasses import replace
+from datetime import UTC, datetime
 
+from paintlink.daemon.imports import store, summary
 from paintlink.daemon.journal import Journal
 from paintlink.errors import InputError
-from paintlink.intake import Claim, Inbox
+from paintlink.intake import Claim, Inbox, Options, Profile, read_any
 from paintlink.model import Finish
-from paintlink.spec import read_spec
 
 log = logging.getLogger(__name__)
 
@@ -21,15 +21,23 @@ class InboxWorker:
     Parameters
     ----------
     finish
-        Taken for a specification that does not know its own.
+        Taken for a colour that does not know its own.
+    profiles
+        Mappings of the tables other programs drop.
     """
 
     def __init__(
-        self, journal: Journal, inbox: Inbox, *, finish: Finish = "unknown"
+        self,
+        journal: Journal,
+        inbox: Inbox,
+        *,
+        finish: Finish = "unknown",
+        profiles: tuple[Profile, ...] = (),
     ) -> None:
         self._journal = journal
         self._inbox = inbox
-        self._finish = finish
+        self._finish: Finish = finish
+        self._profiles = profiles
 
     def step(self) -> bool:
         """Take one file; False when none is ready."""
@@ -45,16 +53,22 @@ class InboxWorker:
 
     def _accept(self, claim: Claim) -> None:
         data = self._inbox.read(claim.path)
-        digest = hashlib.sha256(data).hexdigest()
-        known = self._journal.file_name(digest)
-        if known is None:
-            spec = read_spec(data, source=claim.path.name)
-            if spec.finish == "unknown":
-                spec = replace(spec, finish=self._finish)
-            token = self._journal.accept_file(claim.path.name, digest, spec)
-            log.info("%s accepted %s", token, claim.path.name)
-        elif not claim.left_over:
+        known = self._journal.file_name(hashlib.sha256(data).hexdigest())
+        if known is not None and not claim.left_over:
             reason = f"the same content was accepted before as {known}"
             self._inbox.finish(claim.path, "duplicate", reason)
             return
-        self._inbox.finish(claim.path, "done")
+        note = "" if known else self._store(claim, data)
+        self._inbox.finish(claim.path, "done", note)
+
+    def _store(self, claim: Claim, data: bytes) -> str:
+        name = claim.path.name
+        options = Options(
+            finish=self._finish,
+            received_at=datetime.fromtimestamp(claim.path.stat().st_mtime, UTC),
+            profiles=self._profiles,
+        )
+        found = read_any(data, name=name, options=options)
+        tokens = store(self._journal, found, name)
+        log.info("%s accepted %s", " ".join(tokens), name)
+        return summary(found)

@@ -2,47 +2,27 @@
 
 from __future__ import annotations
 
-import base64
-import hashlib
 import sqlite3
 from collections.abc import Callable, Iterable, Sequence
 from datetime import datetime
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Self
+from typing import Self
 
+from paintlink.daemon.arrivals import Arrivals, sha256
 from paintlink.daemon.database import Database, utc_now
 from paintlink.daemon.deliveries import Deliveries, delivery_from_row
 from paintlink.daemon.documents import (
     match_from_json,
     match_to_json,
     reading_from_json,
-    reading_to_json,
 )
 from paintlink.daemon.records import Event, InstrumentStatus, Job, JobState, Preview
 from paintlink.errors import JournalError
-from paintlink.model import ColorSpec, Match, Origin, Reading
+from paintlink.model import ColorSpec, Match, Reading
 from paintlink.spec import read_spec, write_spec
 
 JOB_ORDER = "SELECT * FROM jobs {where} ORDER BY id {order} LIMIT ?"
-
-
-def reading_key(reading: Reading) -> str:
-    """The identity of a reading, in hex.
-
-    An instrument that numbers its readings says itself which are the same one. Of
-    others, the same bytes at the same time are.
-    """
-    measured = reading.measurement
-    when = measured.record or reading.taken_at.isoformat()
-    text = f"{reading.instrument.serial}\0{when}\0"
-    return hashlib.sha256(text.encode() + measured.raw).hexdigest()
-
-
-def sha256(data: bytes | str) -> str:
-    """Hash of bytes or of a text in UTF-8, in hex."""
-    raw = data.encode() if isinstance(data, str) else data
-    return hashlib.sha256(raw).hexdigest()
 
 
 class Journal:
@@ -62,6 +42,7 @@ class Journal:
         self.path = path
         self._db = Database(path, now)
         self.deliveries = Deliveries(self._db)
+        self._arrivals = Arrivals(self._db)
 
     def __enter__(self) -> Self:
         return self
@@ -82,60 +63,23 @@ class Journal:
 
     def accept_reading(self, reading: Reading, *, source: str) -> str:
         """Token of the job for a reading, stored durably; a repeat gives the first."""
-        key = reading_key(reading)
-        with self._db.transaction():
-            known = self._db.one("SELECT id FROM readings WHERE key = ?", key)
-            if known is not None:
-                job = self._db.one(
-                    "SELECT token FROM jobs WHERE reading_id = ?", known[0]
-                )
-                return str(job["token"]) if job else ""
-            document, raw = reading_to_json(reading), reading.measurement.raw
-            reading_id = self._db.insert(
-                "readings",
-                key=key,
-                source=source,
-                taken_at=reading.taken_at.isoformat(),
-                document=document,
-                raw=raw,
-            )
-            job_id, token = self._add_job(
-                key, "received", source, reading.origin, reading_id=reading_id
-            )
-            self._db.update("readings", reading_id, job_id=job_id)
-            self._db.log(
-                job_id,
-                "reading",
-                f"{source}: {reading.instrument.model}",
-                reading=reading_id,
-                raw_sha256=sha256(raw),
-                document_sha256=sha256(document),
-            )
-        return token
+        return self._arrivals.reading(reading, source)
+
+    def accept_import(
+        self,
+        name: str,
+        content_sha256: str,
+        colours: Sequence[tuple[Reading, ColorSpec]],
+    ) -> tuple[str, ...]:
+        """Tokens of the jobs for the readings of a file, all stored or none.
+
+        A reading that is known already, from whatever file, keeps its first job.
+        """
+        return self._arrivals.readings(name, content_sha256, colours)
 
     def accept_file(self, name: str, content_sha256: str, spec: ColorSpec) -> str:
         """Token of the job for a specification that arrived as a file."""
-        origin: Origin = spec.provenance.origin if spec.provenance else "real"
-        document = write_spec(spec)
-        with self._db.transaction():
-            job_id, token = self._add_job(
-                content_sha256, "specified", name, origin, spec=document
-            )
-            self._db.insert(
-                "files",
-                sha256=content_sha256,
-                name=name,
-                job_id=job_id,
-                accepted_at=self._db.stamp(),
-            )
-            self._db.log(
-                job_id,
-                "file",
-                name,
-                file_sha256=content_sha256,
-                spec_sha256=sha256(document),
-            )
-        return token
+        return self._arrivals.file(name, content_sha256, spec)
 
     def file_name(self, sha256: str) -> str | None:
         """Name under which content was accepted before, if it was."""
@@ -355,22 +299,6 @@ class Journal:
             preview=Preview(*preview) if preview else None,
             error=row["error"],
         )
-
-    def _add_job(
-        self, key: str, state: JobState, source: str, origin: Origin, **columns: Any
-    ) -> tuple[int, str]:
-        digest = hashlib.sha256(key.encode()).digest()
-        token = base64.b32encode(digest)[:10].decode().lower()
-        job_id = self._db.insert(
-            "jobs",
-            token=token,
-            state=state,
-            source=source,
-            origin=origin,
-            created_at=self._db.stamp(),
-            **columns,
-        )
-        return job_id, token
 
     def _reopen(self, job: Job) -> None:
         if job.state == "done":

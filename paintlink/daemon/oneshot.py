@@ -31,24 +31,42 @@ def process(settings: Settings, reading: Reading, source: str) -> Job:
         except ConfigError:
             return _wait_for_service(journal, token)
         try:
-            _work(journal, settings)
+            render = Render(journal, settings.preview, settings.previews_folder)
+            _run(_line(journal, settings))
+            _run(render)
         finally:
             locks.release()
         return _job(journal, token)
 
 
-def _work(journal: Journal, settings: Settings) -> None:
-    line = Line(
+def work_off(settings: Settings, journal: Journal) -> bool:
+    """Take everything down the line that waits; False when a service does that.
+
+    Pictures are left to the service: there may be thousands.
+    """
+    try:
+        locks = RoleLocks(settings.state_folder, ("line",))
+    except ConfigError:
+        return False
+    try:
+        _run(_line(journal, settings))
+    finally:
+        locks.release()
+    return True
+
+
+def _line(journal: Journal, settings: Settings) -> Line:
+    return Line(
         journal,
         settings,
         table=bundled(),
         formats=load_formats(settings.formats_folder),
         clock=time.time,
     )
-    render = Render(journal, settings.preview, settings.previews_folder)
-    while line.step():
-        pass
-    while render.step():
+
+
+def _run(worker: Line | Render) -> None:
+    while worker.step():
         pass
 
 

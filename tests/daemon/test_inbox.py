@@ -12,6 +12,7 @@ from paintlink.daemon.journal import Journal
 from paintlink.intake import Inbox, InboxFolders
 from paintlink.spec import write_spec
 from tests.daemon.conftest import make_spec
+from tests.intake.fixtures.mat12_xlsx import book, document, saved
 
 
 class Counter:
@@ -109,3 +110,57 @@ def test_stop_between_journal_and_move_is_no_duplicate(
     assert len(journal.jobs()) == 1
     assert (folders.done / "a.xml").exists()
     assert not list(folders.duplicate.iterdir())
+
+
+def test_vendor_file_becomes_one_job_for_each_reading(
+    worker: InboxWorker, journal: Journal, folders: InboxFolders
+) -> None:
+    (folders.inbox / "qc.xlsx").write_bytes(document())
+
+    work(worker)
+
+    jobs = journal.jobs()
+    assert {job.spec.name for job in jobs if job.spec} == {"Basalt 7", "Basalt 8"}
+    assert {job.state for job in jobs} == {"specified"}
+    assert all(job.reading_id for job in jobs)
+    assert (folders.done / "qc.xlsx").exists()
+
+
+def test_reading_that_arrives_in_a_second_file_keeps_its_job(
+    worker: InboxWorker, journal: Journal, folders: InboxFolders
+) -> None:
+    for names in (("Basalt 7",), ("Basalt 7", "Basalt 8")):
+        (folders.inbox / "qc.xlsx").write_bytes(saved(book(names)))
+        work(worker)
+
+    assert len(journal.jobs()) == 2
+
+
+def test_colour_left_out_of_a_file_is_told_beside_it(
+    worker: InboxWorker, journal: Journal, folders: InboxFolders
+) -> None:
+    made = book(("whole", "cut"))
+    made["Color Data"].delete_rows(27, 2)
+    made["Spectral Data"].delete_rows(26, 2)
+    (folders.inbox / "qc.xlsx").write_bytes(saved(made))
+
+    work(worker)
+
+    assert len(journal.jobs()) == 1
+    reason = (folders.done / "qc.xlsx.reason.txt").read_text()
+    assert reason.startswith("1 of 2 colours left out: cut: the reading has")
+
+
+def test_file_without_a_usable_colour_fails(
+    worker: InboxWorker, journal: Journal, folders: InboxFolders
+) -> None:
+    made = book(("cut",))
+    made["Color Data"].delete_rows(15, 2)
+    made["Spectral Data"].delete_rows(14, 2)
+    (folders.inbox / "qc.xlsx").write_bytes(saved(made))
+
+    work(worker)
+
+    assert journal.jobs() == ()
+    reason = (folders.failed / "qc.xlsx.reason.txt").read_text()
+    assert "qc.xlsx: the reading has 10 geometries" in reason

@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from paintlink.daemon.journal import Journal, reading_key
+from paintlink.daemon.arrivals import reading_key
+from paintlink.daemon.journal import Journal
 from paintlink.daemon.records import InstrumentStatus, Job, Preview
 from paintlink.errors import JournalError
 from paintlink.model import AngleDifference, Match

@@ -1,0 +1,176 @@
+"""`paintlink import`: colours from the files of instruments and other programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from paintlink.cli.output import json_option, print_json
+from paintlink.cli.state import config_option, settings_of
+
+if TYPE_CHECKING:
+    from paintlink.cli.imports import Report
+    from paintlink.config import Settings
+    from paintlink.intake import Options
+
+EPILOG = """\b
+Examples:
+  paintlink import --dry-run readings.xlsx     look first
+  paintlink import *.cxf                       send everything down the line
+  paintlink import readings.json --to colours  specifications as files
+
+\b
+Exit codes:
+  0  everything was imported
+  2  wrong call or configuration
+  3  a file or a colour was refused; all others were imported
+  5  a file could not be written
+  6  the journal cannot be used
+"""
+
+
+@click.command("import", short_help="Import readings from files.", epilog=EPILOG)
+@click.argument("files", nargs=-1, type=click.Path(path_type=Path))
+@click.option("--dry-run", is_flag=True, help="Say what would be imported, no more.")
+@click.option(
+    "--to",
+    "folder",
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Write specifications into this folder; nothing goes down the line.",
+)
+@click.option("--format", "format_id", default="", help="Format; found by content.")
+@click.option("--list-formats", is_flag=True, help="List the formats and exit.")
+@click.option(
+    "--finish",
+    type=click.Choice(["solid", "metallic", "pearl", "unknown"]),
+    default="unknown",
+    help="Finish of colours whose file names none; solid admits single angles.",
+)
+@click.option(
+    "--scale",
+    type=click.Choice(["fraction", "percent"]),
+    help="Scale of reflectance, where a file does not keep to its format.",
+)
+@click.option("--geometry", default="", help="Geometry of values that name none.")
+@click.option("--data-mode", default="", help="Mode to take from files with several.")
+@click.option("--time-zone", help="Zone of times without one, such as Europe/Berlin.")
+@json_option
+@config_option
+def command(
+    *,
+    files: tuple[Path, ...],
+    dry_run: bool,
+    folder: Path | None,
+    format_id: str,
+    list_formats: bool,
+    as_json: bool,
+    config: Path | None,
+    **hints: Any,
+) -> None:
+    """Import readings from FILES: workbooks, CxF, JSON, tables, printed reports.
+
+    The content tells the format, not the name. Each colour goes down the line as if it
+    had been measured here: nearest paint, deliveries. A reading is imported once, from
+    however many files.
+    """
+    if list_formats:
+        _list_formats(as_json=as_json)
+        return
+    if not files:
+        msg = "name the files to import, or see `paintlink import --list-formats`"
+        raise click.UsageError(msg)
+    settings = settings_of(config)
+    options = _options(settings, **hints)
+    reports = _reports(files, format_id, options)
+    if dry_run:
+        done = list(reports)
+    elif folder is not None:
+        done = _written(reports, folder)
+    else:
+        done = _queued(reports, settings)
+    _finish(done, as_json=as_json)
+
+
+def _list_formats(*, as_json: bool) -> None:
+    from paintlink.intake import importer_failures, importers
+
+    formats = {name: one.INFO.label for name, one in importers().items()}
+    if as_json:
+        print_json({"formats": formats, "broken": importer_failures()})
+        return
+    for name, label in formats.items():
+        click.echo(f"{name:<16} {label}")
+    for fault in importer_failures().values():
+        click.secho(f"left out: {fault}", fg="red", err=True)
+
+
+def _options(settings: Settings, *, time_zone: str | None, **hints: Any) -> Options:
+    from paintlink.intake import Options
+
+    return Options(zone=_zone(time_zone) if time_zone else None, **hints)
+
+
+def _zone(name: str) -> Any:
+    from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
+
+    from paintlink.errors import ConfigError
+
+    try:
+        return ZoneInfo(name)
+    except (ZoneInfoNotFoundError, ValueError, OSError) as error:
+        msg = f"unknown time zone {name!r}: write one such as Europe/Berlin or UTC"
+        raise ConfigError(msg) from error
+
+
+def _reports(
+    files: Sequence[Path], format_id: str, options: Options
+) -> Iterator[Report]:
+    from paintlink.cli.imports import report_on
+
+    for path in _progress(files):
+        yield report_on(path, format_id, options)
+
+
+def _progress(files: Sequence[Path]) -> Iterable[Path]:
+    """The files, behind a bar where there are many and a person watches."""
+    import sys
+
+    if len(files) < 5 or not sys.stderr.isatty():
+        return files
+    from rich.console import Console
+    from rich.progress import track
+
+    return track(files, "Importing", console=Console(stderr=True), transient=True)
+
+
+def _queued(reports: Iterable[Report], settings: Settings) -> list[Report]:
+    from paintlink.cli.imports import queue
+    from paintlink.daemon.journal import Journal
+    from paintlink.daemon.oneshot import work_off
+
+    with Journal(settings.journal_path) as journal:
+        done = [queue(report, journal) for report in reports]
+        if not work_off(settings, journal):
+            click.echo("the running service takes it from here", err=True)
+    return done
+
+
+def _written(reports: Iterable[Report], folder: Path) -> list[Report]:
+    from paintlink.cli.imports import write
+
+    return [write(report, folder) for report in reports]
+
+
+def _finish(reports: Sequence[Report], *, as_json: bool) -> None:
+    from paintlink.cli.imports import document, print_reports
+    from paintlink.errors import InputError
+
+    if as_json:
+        print_json([document(report) for report in reports])
+    else:
+        print_reports(reports)
+    if any(report.faulty for report in reports):
+        raise SystemExit(InputError.exit_code)

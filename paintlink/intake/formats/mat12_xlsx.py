@@ -1,0 +1,317 @@
+"""X-Rite MA-T12 quality control export: a workbook with Lab and spectra.
+
+Layout as found in workbooks published by users of the instrument: sheets
+``Color Data`` and ``Spectral Data``, one row per geometry under a heading row that
+names Geometry; the heading rows of the two differ in height. Factors are fractions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from datetime import datetime
+from typing import NamedTuple
+
+from paintlink.errors import InputError
+from paintlink.intake.assembly import Row, Scales, Values, assemble
+from paintlink.intake.conditions import Conditions, split_conditions
+from paintlink.intake.contract import (
+    NO_TIME,
+    Certainty,
+    Contents,
+    ImporterInfo,
+    Options,
+)
+from paintlink.intake.geometries import read_geometry
+from paintlink.intake.source import Source
+from paintlink.intake.text import parse_number, plain
+from paintlink.intake.times import to_utc
+from paintlink.intake.workbook import ZIP_MARK, Cell, Workbook, member_names
+from paintlink.model import Geometry, Instrument, Measurement, Reading, Texture
+
+INFO = ImporterInfo("mat12_xlsx", "X-Rite MA-T12 quality control workbook (XLSX)")
+
+COLOR, SPECTRAL, TEXTURE = "Color Data", "Spectral Data", "Texture Data"
+HEADING_ROWS = 20
+INSTRUMENT = Instrument("X-Rite", "MA-T12")
+
+Key = tuple[str, datetime | None]
+
+
+def sniff(source: Source) -> Certainty:
+    """Sure of every workbook: no other importer reads one."""
+    if not source.data.startswith(ZIP_MARK):
+        return Certainty.NO
+    is_workbook = "xl/workbook.xml" in member_names(source)
+    return Certainty.SURE if is_workbook else Certainty.NO
+
+
+def read(source: Source, options: Options) -> Contents:
+    """One reading for each name and time in the workbook."""
+    book = Workbook(source)
+    sheets = {name: _Sheet(source, book, name) for name in (COLOR, SPECTRAL)}
+    if not any(sheet.rows for sheet in sheets.values()):
+        names = ", ".join(book.names) or "none"
+        msg = (
+            f"a workbook without readings in the sheets {COLOR!r} or {SPECTRAL!r} "
+            f"(sheets: {names}): export QC data, or save a table as CSV and import it "
+            "with a profile"
+        )
+        raise source.fault("", msg)
+    conditions, notes = _conditions(source, sheets[COLOR])
+    samples = _samples(source, sheets)
+    textures = _textures(source, book)
+    readings = []
+    for key, places in samples.items():
+        rows = _rows(places, sheets)
+        scales = Scales(
+            wavelengths_nm=sheets[SPECTRAL].wavelengths_nm,
+            scale=options.scale or "fraction",
+            conditions=conditions,
+        )
+        values = assemble(source, rows, scales)
+        notes += [f"{key[0]}: {note}" for note in values.notes]
+        notes += [] if key[1] else [NO_TIME]
+        readings.append(_reading(source, key, values, textures.get(key, ()), options))
+    return Contents(tuple(readings), notes=tuple(notes))
+
+
+class _Place(NamedTuple):
+    """A row of one sheet."""
+
+    number: int
+    cells: list[Cell]
+
+
+@dataclass
+class _Sample:
+    """Rows of one reading by geometry code, in each of the two sheets."""
+
+    color: dict[str, _Place] = field(default_factory=dict)
+    spectral: dict[str, _Place] = field(default_factory=dict)
+
+
+class _Sheet:
+    """A sheet below its heading row; empty when it is missing or only a heading."""
+
+    def __init__(self, source: Source, book: Workbook, name: str) -> None:
+        self.name = name
+        self.source = source
+        self.above: list[list[Cell]] = []
+        self.heading: list[str] = []
+        self.rows: list[_Place] = []
+        self.wavelengths_nm: tuple[float, ...] = ()
+        if name in book.names:
+            self._split(book.rows(name))
+
+    def _split(self, rows: list[list[Cell]]) -> None:
+        for index, cells in enumerate(rows[:HEADING_ROWS]):
+            words = [str(cell).strip() for cell in cells]
+            if "Geometry" in words:
+                self.above, self.heading = rows[:index], words
+                below = enumerate(rows[index + 1 :], start=index + 2)
+                self.rows = [_Place(n, row) for n, row in below if any(map(_full, row))]
+                break
+        else:
+            if any(any(map(_full, row)) for row in rows):
+                msg = "no heading row with the word Geometry: export it again"
+                raise self.source.fault(f"sheet {self.name!r}", msg)
+        self._band_columns()
+
+    def _band_columns(self) -> None:
+        bands = [(i, word) for i, word in enumerate(self.heading) if _is_band(word)]
+        self.bands = [index for index, _ in bands]
+        self.wavelengths_nm = tuple(float(word.removesuffix("nm")) for _, word in bands)
+
+    def column(self, word: str) -> int:
+        """Number of the column whose heading begins with a word, from 0."""
+        for index, heading in enumerate(self.heading):
+            if heading.casefold().startswith(word.casefold()):
+                return index
+        msg = f"no column {word!r}: export it again"
+        raise self.source.fault(f"sheet {self.name!r}", msg)
+
+    def where(self, place: _Place, column: int | None = None) -> str:
+        """The place of a row or a cell, as the spreadsheet program calls it."""
+        if column is None:
+            return f"sheet {self.name!r}, row {place.number}"
+        return f"sheet {self.name!r}, cell {_letters(column)}{place.number}"
+
+    def numbers(self, place: _Place, columns: list[int]) -> list[float]:
+        """Numbers in some cells of a row."""
+        cells = place.cells
+        found = [cells[i] for i in columns]
+        if {type(cell) for cell in found} == {float}:
+            return found  # type: ignore[return-value]
+        return [self._number(place, i) for i in columns]
+
+    def _number(self, place: _Place, column: int) -> float:
+        cell = place.cells[column]
+        if isinstance(cell, int | float) and not isinstance(cell, bool):
+            return float(cell)
+        try:
+            if isinstance(cell, str):
+                return parse_number(cell).value
+            msg = "not a number: correct the cell or leave the whole row out"
+            raise InputError(msg)
+        except InputError as error:
+            raise self.source.fault(
+                self.where(place, column), str(error), cell
+            ) from error
+
+
+def _full(cell: Cell) -> bool:
+    return cell not in {"", None}
+
+
+def _is_band(word: str) -> bool:
+    return word.removesuffix("nm").strip().isdecimal() and len(word) <= 6
+
+
+def _letters(column: int) -> str:
+    letters = ""
+    number = column + 1
+    while number:
+        number, rest = divmod(number - 1, 26)
+        letters = chr(65 + rest) + letters
+    return letters
+
+
+def _conditions(source: Source, sheet: _Sheet) -> tuple[Conditions | None, list[str]]:
+    """Conditions of the Lab columns: in the cell above them, else in their heading."""
+    if not sheet.rows:
+        return None, []
+    for number, cells in enumerate(sheet.above, start=1):
+        if str(cells[0]).strip().upper().startswith("ILLUMINANT") and len(cells) > 1:
+            where, text = f"sheet {sheet.name!r}, cell B{number}", str(cells[1])
+            break
+    else:
+        heading = sheet.heading[sheet.column("L*")]
+        where, text = f"sheet {sheet.name!r}, heading", heading[heading.find("(") + 1 :]
+    try:
+        return split_conditions(text.strip(" )")), []
+    except InputError as error:
+        raise source.fault(where, str(error)) from error
+
+
+def _samples(source: Source, sheets: dict[str, _Sheet]) -> dict[Key, _Sample]:
+    samples: dict[Key, _Sample] = {}
+    for name, sheet in sheets.items():
+        for place, key, code in _keyed(source, sheet):
+            sample = samples.setdefault(key, _Sample())
+            found = sample.color if name == COLOR else sample.spectral
+            if code in found:
+                msg = (
+                    f"geometry {code} of {key[0]!r} stands twice, before in row "
+                    f"{found[code].number}: remove one of the two rows, or give the "
+                    "readings different names"
+                )
+                raise source.fault(sheet.where(place), msg)
+            found[code] = place
+    return samples
+
+
+def _keyed(source: Source, sheet: _Sheet) -> Iterator[tuple[_Place, Key, str]]:
+    if not sheet.rows:
+        return
+    name, time, geometry = map(sheet.column, ("Name", "Date", "Geometry"))
+    for place in sheet.rows:
+        cells = place.cells
+        yield (
+            place,
+            (str(cells[name]), _moment(source, sheet, place, time)),
+            str(cells[geometry]).strip(),
+        )
+
+
+def _moment(
+    source: Source, sheet: _Sheet, place: _Place, column: int
+) -> datetime | None:
+    cell = place.cells[column]
+    if isinstance(cell, datetime):
+        return cell
+    if _full(cell):
+        msg = "not a time: give the column the cell format date and time"
+        raise source.fault(sheet.where(place, column), msg, cell)
+    return None
+
+
+def _rows(sample: _Sample, sheets: dict[str, _Sheet]) -> list[Row]:
+    color, spectral = sheets[COLOR], sheets[SPECTRAL]
+    lab_columns = [color.column(w) for w in ("L*", "a*", "b*")] if color.rows else []
+    rows = []
+    for code in sample.color | sample.spectral:
+        lab, factors = sample.color.get(code), sample.spectral.get(code)
+        where = spectral.where(factors) if factors else color.where(sample.color[code])
+        rows.append(
+            Row(
+                where,
+                _geometry(color, spectral, lab, factors, code),
+                color.numbers(lab, lab_columns) if lab else None,
+                spectral.numbers(factors, spectral.bands) if factors else None,
+            )
+        )
+    return rows
+
+
+def _geometry(
+    color: _Sheet,
+    spectral: _Sheet,
+    lab: _Place | None,
+    factors: _Place | None,
+    code: str,
+) -> Geometry:
+    try:
+        return read_geometry(code)
+    except InputError as error:
+        sheet, place = (spectral, factors) if factors else (color, lab)
+        where = sheet.where(place, sheet.column("Geometry")) if place else sheet.name
+        raise sheet.source.fault(where, str(error)) from error
+
+
+def _textures(source: Source, book: Workbook) -> dict[Key, tuple[Texture, ...]]:
+    """Named texture values; geometries such as ``15d`` give their angle where known."""
+    sheet = _Sheet(source, book, TEXTURE)
+    found: dict[Key, tuple[Texture, ...]] = {}
+    for place, key, code in _keyed(source, sheet):
+        for column, heading in enumerate(sheet.heading):
+            cell = place.cells[column]
+            if heading in {"", "Name", "Date/Time", "Geometry"} or not _full(cell):
+                continue
+            (value,) = sheet.numbers(place, [column])
+            name = plain(f"{heading} {code}".strip(), 60)
+            found[key] = (*found.get(key, ()), Texture(name, value))
+    return found
+
+
+def _reading(
+    source: Source,
+    key: Key,
+    values: Values,
+    textures: tuple[Texture, ...],
+    options: Options,
+) -> Reading:
+    name, moment = key
+    try:
+        taken_at = to_utc(moment, options.zone) if moment else options.received_at
+    except InputError as error:
+        raise source.fault(f"reading {name!r}", str(error)) from error
+    measurement = Measurement(
+        values.geometries,
+        values.spectra,
+        values.lab,
+        texture=textures,
+        data_mode=options.data_mode,
+        raw=_raw(key, values),
+    )
+    return Reading(measurement, INSTRUMENT, taken_at, "real", sample=plain(name))
+
+
+def _raw(key: Key, values: Values) -> bytes:
+    """What identifies the reading in whatever workbook it is exported again."""
+    codes = "\t".join(geometry.code for geometry in values.geometries)
+    text = f"{key[0]}\t{key[1]}\n{codes}\n".encode()
+    parts = [text]
+    parts += [values.lab.lab.tobytes()] if values.lab else []
+    parts += [values.spectra.factors.tobytes()] if values.spectra else []
+    return b"".join(parts)
