@@ -12,6 +12,7 @@ from paintlink.color.difference import (
     cmc,
     components,
     din99,
+    lab_to_din99,
 )
 from paintlink.color.din6175 import din6175
 from paintlink.color.display import (
@@ -84,6 +85,7 @@ __all__ = [
     "hue_travel",
     "hue_travel_array",
     "into_gamut",
+    "lab_to_din99",
     "lab_to_hex",
     "lab_to_lch",
     "lab_to_linear_srgb",

@@ -18,7 +18,8 @@ class Match:
     """One known paint beside a target, with everything the numbers depend on.
 
     ``total`` is the sum of the differences over ``angles_deg``; differences are target
-    minus paint. ``words`` says them the way a painter does.
+    minus paint. ``words`` says them the way a painter does. At ``estimated_deg`` the
+    paint was not measured but interpolated.
     """
 
     rank: int
@@ -34,6 +35,7 @@ class Match:
     observer: Observer
     library: str
     generation: str
+    estimated_deg: tuple[float, ...] = ()
 
     @property
     def mean(self) -> float:

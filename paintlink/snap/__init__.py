@@ -1,7 +1,7 @@
 """Exact nearest-paint search and what its answer says."""
 
 from paintlink.snap.conditions import STANDARD_ANGLES_DEG
-from paintlink.snap.search import nearest
+from paintlink.snap.search import nearest, nearest_of_all
 from paintlink.snap.verdict import BAND_LABELS, Band, band, starting_paint
 from paintlink.snap.words import words
 
@@ -11,6 +11,7 @@ __all__ = [
     "Band",
     "band",
     "nearest",
+    "nearest_of_all",
     "starting_paint",
     "words",
 ]
