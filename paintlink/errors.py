@@ -80,6 +80,10 @@ class LibraryError(InputError):
     """A paint library cannot be read, or cannot answer the question."""
 
 
+class IndexFileError(LibraryError):
+    """Build the search index anew: a stored one is stale, damaged or something else."""
+
+
 class DesignError(InputError):
     """A design cannot be read, or a step cannot be made with these values.
 

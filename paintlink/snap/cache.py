@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from pathlib import Path
 from threading import Lock
 from weakref import ref
 
@@ -17,11 +18,14 @@ KEPT = 16
 class Indexes:
     """The latest index of each library at each set of angles; safe between threads.
 
+    With a ``folder`` trees outlast the process in files.
+
     A table is known by its identity: another one of the same library is a later state
     of it, for which the index is renewed.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, folder: Path | None = None) -> None:
+        self.folder = folder
         self._lock = Lock()
         self._kept: OrderedDict[
             tuple[str, Conditions], tuple[ref[PaintTable], Index]
@@ -35,7 +39,7 @@ class Indexes:
             if known is not None and known[0]() is table:
                 self._kept.move_to_end(key)
                 return known[1]
-        index = known[1].renewed(table) if known else _new(table, conditions)
+        index = known[1].renewed(table) if known else self._new(table, conditions)
         self.keep(table, index)
         return index
 
@@ -47,10 +51,10 @@ class Indexes:
             while len(self._kept) > KEPT:
                 self._kept.popitem(last=False)
 
-
-def _new(table: PaintTable, conditions: Conditions) -> Index:
-    return Index(table.library, conditions, stock_of(table, conditions))
+    def _new(self, table: PaintTable, conditions: Conditions) -> Index:
+        stock = stock_of(table, conditions)
+        return Index(table.library, table.generation, conditions, stock, self.folder)
 
 
 INDEXES = Indexes()
-"""Of this process."""
+"""Of this process. Set its ``folder`` to keep trees in files between processes."""

@@ -2,34 +2,45 @@
 
 from __future__ import annotations
 
+import logging
 from dataclasses import dataclass, field
 from functools import partial
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from paintlink.color import Formula
+from paintlink.errors import IndexFileError
 from paintlink.model import PaintTable
 from paintlink.snap import descent
 from paintlink.snap.bounds import PRUNING
 from paintlink.snap.conditions import Comparison, Conditions
 from paintlink.snap.descent import Nearest
+from paintlink.snap.file import Key, content_of, read_tree, write_tree
 from paintlink.snap.grown import Grown, Mask, follow, whole
 from paintlink.snap.scan import Ranked, rank, shortlist, totals
 from paintlink.snap.stock import Stock, stock_of
 from paintlink.snap.tree import Tree, build
+
+log = logging.getLogger(__name__)
 
 
 @dataclass(slots=True, eq=False, weakref_slot=True)
 class Index:
     """A library at some angles.
 
+    With a ``folder`` trees are kept in files there, from which the next process reads
+    them; a file that is stale or damaged is written anew.
+
     Searches may run at the same time in several threads; nothing they read changes.
     """
 
     library: str
+    generation: str
     conditions: Conditions
     stock: Stock
+    folder: Path | None = None
     trees: dict[str, Grown] = field(default_factory=dict)
     searches: int = 0
 
@@ -61,8 +72,34 @@ class Index:
         """The tree for a formula, built when it is first asked for."""
         space = space_of(formula)
         if space not in self.trees:
-            self.trees[space] = whole(tree_of(self.stock, formula))
+            self.trees[space] = whole(self._tree(formula))
         return self.trees[space]
+
+    def _tree(self, formula: Formula) -> Tree:
+        if self.folder is None:
+            return tree_of(self.stock, formula)
+        key = self._key(formula)
+        path = self.folder / key.file_name
+        try:
+            return read_tree(path, key)
+        except IndexFileError as error:
+            if path.exists():
+                log.warning("%s", error)
+        tree = tree_of(self.stock, formula)
+        try:
+            write_tree(path, tree, key)
+        except IndexFileError as error:
+            log.warning("%s; searching goes on without it", error)
+        return tree
+
+    def _key(self, formula: Formula) -> Key:
+        return Key(
+            self.library,
+            self.generation,
+            self.conditions,
+            space_of(formula),
+            content_of(self.stock),
+        )
 
     def renewed(self, table: PaintTable) -> Index:
         """The index of a later state of the library, with its trees where they do."""
@@ -72,7 +109,15 @@ class Index:
             for space, grown in list(self.trees.items())
         }
         trees = {space: grown for space, grown in followed.items() if grown is not None}
-        return Index(table.library, self.conditions, stock, trees, self.searches)
+        return Index(
+            table.library,
+            table.generation,
+            self.conditions,
+            stock,
+            self.folder,
+            trees,
+            self.searches,
+        )
 
     def _quicker_to_scan(self, candidates: int, formula: Formula) -> bool:
         """Few paints, or a first question: a tree costs more than one scan."""

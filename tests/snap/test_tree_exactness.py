@@ -29,7 +29,10 @@ def compare(formula: str, seed: int, comparisons: int) -> int:
         angles = (STANDARD, FIVE, SIX)[rng.integers(3)]
         table = a_library(rng, angles)
         index = Index(
-            table.library, Conditions(angles), stock_of(table, Conditions(angles))
+            table.library,
+            table.generation,
+            Conditions(angles),
+            stock_of(table, Conditions(angles)),
         )
         for _ in range(TABLE_SERVES):
             for mask in (None, some_mask(rng, len(table))):
@@ -102,7 +105,10 @@ def test_renewed_index_keeps_its_tree_while_little_changes() -> None:
     rng = np.random.default_rng(3)
     table = a_library(rng, STANDARD)
     index = Index(
-        "Test book", Conditions(STANDARD), stock_of(table, Conditions(STANDARD))
+        "Test book",
+        "gen-1",
+        Conditions(STANDARD),
+        stock_of(table, Conditions(STANDARD)),
     )
     tree = index.grown(FORMULAS["cie76"]).tree
 
@@ -118,7 +124,10 @@ def test_tree_looks_at_few_of_many_paints() -> None:
     lab = paints(rng, 40_000, 3)
     table = make_table(lab)
     index = Index(
-        "Test book", Conditions(STANDARD), stock_of(table, Conditions(STANDARD))
+        "Test book",
+        "gen-1",
+        Conditions(STANDARD),
+        stock_of(table, Conditions(STANDARD)),
     )
     compared = [
         index.descend(
