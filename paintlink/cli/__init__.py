@@ -14,6 +14,7 @@ from paintlink import __version__
 from paintlink.errors import PaintlinkError
 
 COMMANDS = {
+    "backup": "backup",
     "calibrate": "calibrate",
     "config": "config",
     "convert": "convert",
@@ -27,10 +28,12 @@ COMMANDS = {
     "measure": "measure",
     "preview": "preview",
     "replay": "replay",
+    "restore": "restore",
     "run": "run",
     "simulate": "simulate",
     "sketch": "sketch",
     "snap": "snap",
+    "trace": "trace",
     "validate": "validate",
 }
 

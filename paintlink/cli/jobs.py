@@ -53,7 +53,7 @@ def list_jobs(limit: int, as_json: bool, config: Path | None) -> None:
 def show(job: str, as_json: bool, config: Path | None) -> None:
     """Show one JOB: its Lab values, nearest paints, deliveries and history."""
     with open_journal(config) as journal:
-        found = _find(journal, job)
+        found = find_job(journal, job)
         events = journal.events(found)
     if as_json:
         history = [{"at": one.at, "kind": one.kind, "text": one.text} for one in events]
@@ -69,7 +69,7 @@ def show(job: str, as_json: bool, config: Path | None) -> None:
 def retry(job: str, config: Path | None) -> None:
     """Put a failed JOB, or its failed deliveries, back to work."""
     with open_journal(config) as journal:
-        found = _find(journal, job)
+        found = find_job(journal, job)
         journal.retry(found)
     click.echo(f"{found.token}: waiting again; the running service takes it from here")
 
@@ -81,12 +81,45 @@ def retry(job: str, config: Path | None) -> None:
 def resend(job: str, route: str, config: Path | None) -> None:
     """Send a JOB to a ROUTE once more, under a new file name."""
     with open_journal(config) as journal:
-        found = _find(journal, job)
+        found = find_job(journal, job)
         journal.resend(found, route)
     click.echo(f"{found.token}: one more file for {route}")
 
 
-def _find(journal: Journal, token: str) -> Job:
+@command.command("verify")
+@json_option
+@config_option
+def verify(as_json: bool, config: Path | None) -> None:
+    """Compare everything the journal holds with the hashes of its history.
+
+    Exit code 6 when an entry, a reading, a specification or a delivered file that
+    still lies in its folder was changed.
+    """
+    from paintlink.errors import JournalError
+
+    with open_journal(config) as journal:
+        faults = list(journal.trail.faults())
+        jobs = sum(journal.counts().values())
+    if as_json:
+        print_json({"jobs": jobs, "faults": [one._asdict() for one in faults]})
+    elif faults:
+        rows = [(one.job, one.step, one.text, one.fault) for one in faults]
+        print_table(("job", "step", "what", "fault"), rows)
+    if faults:
+        msg = f"{len(faults)} faults in {jobs} jobs: compare with a backup"
+        raise JournalError(msg)
+    if not as_json:
+        click.echo(f"{jobs} jobs: every entry, value and file is as it was recorded")
+
+
+def find_job(journal: Journal, token: str) -> Job:
+    """The job a user means.
+
+    Raises
+    ------
+    ConfigError
+        When there is none, or more than one.
+    """
     from paintlink.errors import ConfigError
 
     found = journal.job(token)

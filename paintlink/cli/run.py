@@ -73,7 +73,18 @@ def stop_on_signals() -> threading.Event:
 
 
 def serve(service: Service, notifier: Notifier, stop: threading.Event) -> None:
-    """Feed the watchdog while the workers make progress, until told to stop."""
-    while not stop.wait(1.0) and not service.stopped.is_set():
+    """Feed the watchdog while the workers make progress, until told to stop.
+
+    Raises
+    ------
+    JournalError
+        When the service ended by itself.
+    """
+    from paintlink.errors import JournalError
+
+    while not stop.wait(1.0):
+        if service.stopped.is_set():
+            msg = "stopped, because the journal can no longer be trusted: see the log"
+            raise JournalError(msg)
         if service.makes_progress():
             notifier.watchdog()

@@ -17,7 +17,9 @@ from paintlink.daemon.documents import (
     match_to_json,
     reading_from_json,
 )
+from paintlink.daemon.keeping import Keeping
 from paintlink.daemon.records import Event, InstrumentStatus, Job, JobState, Preview
+from paintlink.daemon.trail import Trail
 from paintlink.errors import JournalError
 from paintlink.model import ColorSpec, Match, Reading
 from paintlink.spec import read_spec, write_spec
@@ -43,6 +45,8 @@ class Journal:
         self._db = Database(path, now)
         self.deliveries = Deliveries(self._db)
         self._arrivals = Arrivals(self._db)
+        self.trail = Trail(self._db)
+        self.keeping = Keeping(self._db)
 
     def __enter__(self) -> Self:
         return self

@@ -7,7 +7,7 @@ import threading
 import time
 from collections.abc import Callable
 
-from paintlink.errors import JournalError
+from paintlink.errors import JournalError, JournalFullError
 
 log = logging.getLogger(__name__)
 
@@ -18,8 +18,9 @@ class Worker(threading.Thread):
     """Runs ``step`` until stopped.
 
     A fault of the program is logged with its traceback and the work goes on after a
-    pause. A journal that cannot store ends the service instead: nothing may be
-    accepted that cannot be kept.
+    pause; so it does when the disk of the journal is full. A journal that fails to
+    store for any other reason ends the service: after an error in syncing, nobody
+    knows what is on the disk.
 
     Parameters
     ----------
@@ -68,6 +69,10 @@ class Worker(threading.Thread):
         try:
             if step():
                 return
+        except JournalFullError:
+            log.exception("%s: nothing can be stored; trying again", self.name)
+            self._stop_event.wait(PAUSE_AFTER_FAULT_S)
+            return
         except JournalError:
             raise
         except Exception:

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
+import sqlite3
 import subprocess
 import time
+from contextlib import closing
 from pathlib import Path
 
 import pytest
 
 from paintlink.daemon.journal import Journal
 from paintlink.export import load_formats
+from paintlink.spec import read_spec_file
 from paintlink_simulators import PtyPort
 from tests.cli.conftest import Run
 from tests.conformance.bench import SEED, panel, simulator_module
@@ -218,3 +221,31 @@ def test_unknown_job_points_to_the_list(run: Run, tmp_path: Path) -> None:
 
     assert done.returncode == 2
     assert "see `paintlink jobs list`" in done.stderr
+
+
+def test_trace_verify_backup_and_restore_work_together(
+    run: Run, tmp_path: Path, spec_file: Path
+) -> None:
+    path = config(tmp_path, accept='"real", "simulated"')
+    with Journal(tmp_path / "state" / "journal.db") as journal:
+        token = journal.accept_file("a.xml", "hash", read_spec_file(spec_file))
+
+    traced = run("trace", token, "--config", path)
+    backed_up = run("backup", tmp_path / "copy.db", "--config", path)
+    clean = run("jobs", "verify", "--config", path)
+    with closing(sqlite3.connect(tmp_path / "state" / "journal.db")) as connection:
+        connection.execute("UPDATE events SET text = 'never happened'")
+        connection.commit()
+    edited = run("jobs", "verify", "--config", path)
+    restored = run("restore", tmp_path / "copy.db", "--config", path)
+    again = run("jobs", "verify", "--config", path)
+
+    assert (traced.returncode, clean.returncode) == (0, 0), traced.stderr
+    assert "specification" in traced.stdout
+    assert "holds" in traced.stdout
+    assert backed_up.returncode == 0, backed_up.stderr
+    assert edited.returncode == 6
+    assert "entry 1 of the history" in edited.stdout
+    assert "compare with a backup" in edited.stderr
+    assert (restored.returncode, again.returncode) == (0, 0), restored.stderr
+    assert "is kept in" in restored.stdout

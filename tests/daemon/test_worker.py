@@ -8,7 +8,7 @@ import pytest
 
 from paintlink.daemon import worker as worker_module
 from paintlink.daemon.worker import Worker
-from paintlink.errors import JournalError
+from paintlink.errors import JournalError, JournalFullError
 
 LIMIT_S = 10.0
 
@@ -71,3 +71,25 @@ def test_program_fault_is_logged_and_work_goes_on(
     assert survived
     assert "a fault of the program" in caplog.text
     assert "ZeroDivisionError" in caplog.text
+
+
+def test_full_disk_is_waited_out(
+    caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(worker_module, "PAUSE_AFTER_FAULT_S", 0.0)
+    stop, again, calls = threading.Event(), threading.Event(), []
+
+    def step() -> bool:
+        calls.append(1)
+        if len(calls) == 1:
+            raise JournalFullError("database or disk is full")
+        again.set()
+        return False
+
+    worker = run(step, stop)
+    survived = again.wait(LIMIT_S)
+    stop.set()
+    worker.join(LIMIT_S)
+
+    assert survived
+    assert "nothing can be stored" in caplog.text
