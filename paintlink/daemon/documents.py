@@ -92,6 +92,7 @@ def match_from_json(text: str) -> Match:
     data: dict[str, Any] = json.loads(text)
     data["differences"] = tuple(AngleDifference(**one) for one in data["differences"])
     data["angles_deg"] = tuple(data["angles_deg"])
+    data["estimated_deg"] = tuple(data.get("estimated_deg", ()))
     return Match(**data)
 
 
