@@ -135,14 +135,14 @@ def test_unusable_reading_fails_with_its_reason(shop: Shop) -> None:
 
 
 def test_specification_without_common_angles_fails_by_name(shop: Shop) -> None:
-    labs = {20.0: (60, 0, 0), 50.0: (50, 0, 0), 100.0: (40, 0, 0)}
+    labs = {-40.0: (60, 0, 0), -30.0: (50, 0, 0), -20.0: (40, 0, 0)}
     spec = ColorSpec("odd", tuple(Sample(a, Lab(*lab)) for a, lab in labs.items()))
     token = shop.journal.accept_file("odd.xml", "hash", spec)
 
     shop.drain()
 
     assert shop.job(token).state == "failed"
-    assert "20/50/100" in shop.job(token).error
+    assert "-40/-30/-20" in shop.job(token).error
 
 
 def test_missing_folder_is_retried_until_it_is_back(shop: Shop) -> None:
