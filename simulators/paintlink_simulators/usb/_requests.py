@@ -24,7 +24,7 @@ class Setup(NamedTuple):
     kind: int
     request: int
     value: int
-    index: int
+    target: int
     length: int
 
     @classmethod

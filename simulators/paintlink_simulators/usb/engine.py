@@ -57,8 +57,8 @@ class Urb:
 class Engine:
     """The device's side of the bus, until it is unplugged.
 
-    One lock guards the device; a thread moves what only time sets free. Every method may
-    be called from any thread.
+    One lock guards the device; a thread moves what only time sets free. Every method
+    may be called from any thread.
     """
 
     def __init__(self, function: UsbFunction) -> None:
@@ -68,6 +68,7 @@ class Engine:
         }
         self._halted: set[int] = set()
         self._configured = 0
+        self._when_gone: list[Callable[[], None]] = []
         self.gone = False
         self._changed = threading.Condition()
         self._thread = threading.Thread(target=self._run, daemon=True)
@@ -117,6 +118,14 @@ class Engine:
         if threading.current_thread() is not self._thread:
             self._thread.join(PATIENCE_S)
 
+    def on_gone(self, call: Callable[[], None]) -> None:
+        """Call it once the device is gone, at once if it is already."""
+        with self._changed:
+            if not self.gone:
+                self._when_gone.append(call)
+                return
+        call()
+
     def _leave(self) -> None:
         if self.gone:
             return
@@ -124,6 +133,8 @@ class Engine:
         for queue in self._queues.values():
             while queue:
                 _finish(queue.popleft(), -errno.ESHUTDOWN)
+        for call in self._when_gone:
+            call()
         self._function.simulator.disconnect()
         self._changed.notify()
 
@@ -183,7 +194,7 @@ class Engine:
             case _requests.GET_DESCRIPTOR:
                 return self._descriptor(setup.value >> 8, setup.value & 0xFF)
             case _requests.GET_STATUS:
-                return bytes((int(setup.index in self._halted), 0))
+                return bytes((int(setup.target in self._halted), 0))
             case _requests.GET_CONFIGURATION:
                 return bytes([self._configured])
             case _requests.SET_CONFIGURATION:
@@ -201,9 +212,9 @@ class Engine:
     def _feature(self, setup: Setup) -> bytes:
         endpoint_halt = setup.kind & 0x1F == 2 and setup.value == 0
         if endpoint_halt and setup.request == CLEAR_FEATURE:
-            self._halted.discard(setup.index)
+            self._halted.discard(setup.target)
         elif endpoint_halt:
-            self._halted.add(setup.index)
+            self._halted.add(setup.target)
         return b""
 
     def _descriptor(self, kind: int, index: int) -> bytes:
