@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Run a command in the lab: run.sh FOLDER COMMAND. The command must not contain a double
+# quote. Ends with the exit status of the command, or 99 when it was never reached.
+set -euo pipefail
+
+folder=${1:?usage: run.sh FOLDER COMMAND}
+command=${2:?usage: run.sh FOLDER COMMAND}
+log=$folder/lab.log
+
+# Plain emulation: KVM is not to be had on most machines that check.
+# multidevs=remap: without it the files of the guest's own mounts are mixed up with the
+# host's, and udev loses its database without a word.
+timeout "${LAB_LIMIT_S:-300}" qemu-system-x86_64 \
+    -M q35,accel=tcg -cpu max -smp 1 -m 768 -nographic -no-reboot -nic none \
+    -kernel "$folder/vmlinuz" -initrd "$folder/initrd.gz" \
+    -append "console=ttyS0 quiet panic=-1 mitigations=off tsc=reliable lab=\"$command\"" \
+    -fsdev local,id=h,path=/,security_model=none,readonly=on,multidevs=remap \
+    -device virtio-9p-pci,fsdev=h,mount_tag=hostroot </dev/null | tr -d '\r' | tee "$log" |
+    grep --line-buffered -v '^LAB-EXIT' || true
+status=$(sed -n 's/^LAB-EXIT //p' "$log")
+exit "${status:-99}"
