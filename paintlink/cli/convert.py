@@ -14,7 +14,7 @@ import click
     "format_id",
     default="xml",
     show_default=True,
-    help="xml (canonical form), csv, json, colornet, or a format of the site.",
+    help="xml (canonical form), cxf3, csv, json, colornet, or a format of the site.",
 )
 @click.option(
     "-o",

@@ -16,7 +16,7 @@ from paintlink.cli.output import json_option, print_json
     "format_id",
     default="colornet",
     show_default=True,
-    help="Export format: colornet, csv, json, or a format of the site.",
+    help="Export format: colornet, cxf3, csv, json, or a format of the site.",
 )
 @click.option(
     "--to",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -12,6 +12,7 @@ from paintlink.color import cie76, reflectance_to_lab
 from paintlink.errors import InputError
 from paintlink.intake.conditions import Conditions
 from paintlink.intake.contract import Scale
+from paintlink.intake.geometries import side_of
 from paintlink.intake.source import Source
 from paintlink.model import FloatArray, Geometry, LabValues, Spectra
 
@@ -61,11 +62,53 @@ def assemble(source: Source, rows: Sequence[Row], scales: Scales) -> Values:
         When a geometry is doubled, has less than the others, or its reflectance factors
         are on another scale or wavelength range than the rest.
     """
+    rows = _one_side(rows)
     _require_once(source, rows)
     spectra, notes = _spectra(source, rows, scales)
     lab = _lab(source, rows, scales.conditions)
     notes += _disagreement(source, rows, spectra, lab)
     return Values(tuple(row.geometry for row in rows), spectra, lab, tuple(notes))
+
+
+def _one_side(rows: Sequence[Row]) -> Sequence[Row]:
+    """One row for an angle measured from two sides: the mean, the instrument's or ours.
+
+    Konica Minolta's CM-M6 delivers LEFT, RIGHT and DP, double path, their mean.
+    """
+    sides = [side_of(row.geometry.code) for row in rows]
+    if not any(sides):
+        return rows
+    kept = [row for row, side in zip(rows, sides, strict=True) if side in {"", "dp"}]
+    angles = {row.geometry.aspecular_deg for row in kept}
+    for left, side in zip(rows, sides, strict=True):
+        if side != "left" or left.geometry.aspecular_deg in angles:
+            continue
+        for right, other in zip(rows, sides, strict=True):
+            if other == "right" and _same_direction(left, right):
+                kept.append(_mean(left, right))
+    return kept
+
+
+def _same_direction(one: Row, other: Row) -> bool:
+    return replace(one.geometry, code="") == replace(other.geometry, code="")
+
+
+def _mean(one: Row, other: Row) -> Row:
+    code = f"{one.geometry.code}+{other.geometry.code}"
+    return Row(
+        one.where,
+        replace(one.geometry, code=code),
+        _halfway(one.lab, other.lab),
+        _halfway(one.factors, other.factors),
+    )
+
+
+def _halfway(
+    one: Sequence[float] | None, other: Sequence[float] | None
+) -> Sequence[float] | None:
+    if one is None or other is None or len(one) != len(other):
+        return None
+    return [(a + b) / 2.0 for a, b in zip(one, other, strict=True)]
 
 
 def _require_once(source: Source, rows: Sequence[Row]) -> None:

@@ -69,10 +69,19 @@ class Options:
 
 
 @dataclass(frozen=True, slots=True)
+class Colour:
+    """A reading, and what its file says about the paint under the instrument."""
+
+    reading: Reading
+    finish: Finish = "unknown"
+    code: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class Contents:
     """What a file holds, unconverted, and what its reader wants a person to know."""
 
-    readings: tuple[Reading, ...] = ()
+    colours: tuple[Colour, ...] = ()
     specs: tuple[ColorSpec, ...] = ()
     notes: tuple[str, ...] = ()
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from paintlink.color import normalise
 from paintlink.errors import ConfigError, InputError
 from paintlink.instrument import did_you_mean
-from paintlink.intake.contract import Certainty, Importer, Options
+from paintlink.intake.contract import Certainty, Colour, Importer, Options
 from paintlink.intake.registry import importers
 from paintlink.intake.source import Source, open_source
 from paintlink.model import ColorSpec, Reading
@@ -90,7 +90,7 @@ def read_any(
     importer = _chosen(source, format_id)
     contents = importer.read(source, options)
     items = [_spec_item(spec, options) for spec in contents.specs]
-    items += [_reading_item(reading, options) for reading in contents.readings]
+    items += [_colour_item(colour, options) for colour in contents.colours]
     if not items:
         raise source.fault("", "holds no readings: export it again")
     return Import(
@@ -127,9 +127,11 @@ def _spec_item(spec: ColorSpec, options: Options) -> Item:
     return Item(spec.name, spec=spec)
 
 
-def _reading_item(reading: Reading, options: Options) -> Item:
+def _colour_item(colour: Colour, options: Options) -> Item:
+    reading = colour.reading
+    finish = options.finish if colour.finish == "unknown" else colour.finish
     try:
-        spec = normalise(reading, finish=options.finish)
+        spec = normalise(reading, finish=finish)
     except InputError as error:
         return Item(reading.sample, reading, refused=str(error))
-    return Item(reading.sample, reading, spec)
+    return Item(reading.sample, reading, replace(spec, code=colour.code))

@@ -130,4 +130,4 @@ def _number_fault(text: str, other: str) -> str:
     if other in text and _NUMBER.fullmatch(text.replace(",", ".")):
         sign = "comma" if other == "," else "point"
         return f"a decimal {sign} where the file has the other sign: write all alike"
-    return "not a number: correct the cell or leave the whole row out"
+    return "not a number: correct it or export again"

@@ -1,6 +1,6 @@
 """The XML colour specification: schema, hardened reader, canonical writer."""
 
-from paintlink.spec.document import safe_root
+from paintlink.spec.document import safe_root, safe_root_of_text
 from paintlink.spec.files import read_spec_file
 from paintlink.spec.markup import decimal
 from paintlink.spec.reader import read_spec
@@ -13,6 +13,7 @@ __all__ = [
     "read_spec",
     "read_spec_file",
     "safe_root",
+    "safe_root_of_text",
     "schema_path",
     "spec_id",
     "write_spec",

@@ -63,7 +63,17 @@ def safe_root(data: bytes) -> etree._Element:
         When the bytes are too many, or no such document.
     """
     require_small(len(data))
-    text = decoded(data)
+    return safe_root_of_text(decoded(data))
+
+
+def safe_root_of_text(text: str) -> etree._Element:
+    """Root of an XML document of any size without type declaration.
+
+    Raises
+    ------
+    SpecError
+        When it has one, or is not well formed.
+    """
     before, doctype, _ = text.partition("<!DOCTYPE")
     if doctype:
         raise _doctype_error(before.count("\n") + 1)

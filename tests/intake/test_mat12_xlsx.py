@@ -105,8 +105,8 @@ def test_number_that_is_none_is_told_with_its_cell() -> None:
     made["Spectral Data"]["F7"] = "n/a"
 
     assert refusal(made) == (
-        "qc.xlsx, sheet 'Spectral Data', cell F7: not a number: correct the cell or "
-        "leave the whole row out (found 'n/a')"
+        "qc.xlsx, sheet 'Spectral Data', cell F7: not a number: correct it or "
+        "export again (found 'n/a')"
     )
 
 

@@ -18,6 +18,7 @@ from paintlink.intake.conditions import Conditions, split_conditions
 from paintlink.intake.contract import (
     NO_TIME,
     Certainty,
+    Colour,
     Contents,
     ImporterInfo,
     Options,
@@ -61,7 +62,7 @@ def read(source: Source, options: Options) -> Contents:
     conditions, notes = _conditions(source, sheets[COLOR])
     samples = _samples(source, sheets)
     textures = _textures(source, book)
-    readings = []
+    colours = []
     for key, places in samples.items():
         rows = _rows(places, sheets)
         scales = Scales(
@@ -72,8 +73,9 @@ def read(source: Source, options: Options) -> Contents:
         values = assemble(source, rows, scales)
         notes += [f"{key[0]}: {note}" for note in values.notes]
         notes += [] if key[1] else [NO_TIME]
-        readings.append(_reading(source, key, values, textures.get(key, ()), options))
-    return Contents(tuple(readings), notes=tuple(notes))
+        reading = _reading(source, key, values, textures.get(key, ()), options)
+        colours.append(Colour(reading))
+    return Contents(tuple(colours), notes=tuple(notes))
 
 
 class _Place(NamedTuple):
@@ -152,7 +154,7 @@ class _Sheet:
         try:
             if isinstance(cell, str):
                 return parse_number(cell).value
-            msg = "not a number: correct the cell or leave the whole row out"
+            msg = "not a number: correct it or export again"
             raise InputError(msg)
         except InputError as error:
             raise self.source.fault(
