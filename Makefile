@@ -39,6 +39,8 @@ proof: $(VENV)/developed ## The long proofs: kill sweeps, fuzzing at full count.
 	$(BIN)/python -m pytest -q -m proof
 
 bench: $(VENV)/developed ## Measure; figures are ratios within one run.
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check \
+	    --constraint constraints.txt --editable '.[bench]'
 	@for script in benchmarks/*.py; do echo "== $$script"; $(BIN)/python $$script; done
 
 format: $(VENV)/developed ## Lay out the code.

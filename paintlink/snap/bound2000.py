@@ -51,7 +51,8 @@ def ciede2000_bound(q: Numbers, box: Box, angles_deg: Numbers) -> Numbers:
     x_L = _lightness(q[:, 0], box)
     ranges = _chroma(q, box)
     d_a, d_b = ab_gaps(q, box)
-    D2 = (ranges.g_low * d_a) ** 2 + d_b * d_b
+    d_a *= ranges.g_low
+    D2 = d_a * d_a + d_b * d_b
     mean_most = 0.5 * (ranges.q_high + ranges.x_high)
     y2 = _chroma_and_hue(D2, ranges, mean_most)
     rotation = 2.0 * _rho(mean_most) * _rotation_left(q, box, ranges)
@@ -74,7 +75,7 @@ def _lightness(L: Numbers, box: Box) -> Numbers:
 
 
 def _lightness_weight(mean_L: Numbers) -> Numbers:
-    t2 = (mean_L - 50.0) ** 2
+    t2 = (mean_L - 50.0) * (mean_L - 50.0)
     weight: Numbers = 1.0 + 0.015 * t2 / np.sqrt(20.0 + t2)
     return weight
 
@@ -98,8 +99,8 @@ def _chroma(q: Numbers, box: Box) -> _Chroma:
 
 def _chroma_and_hue(D2: Numbers, ranges: _Chroma, mean_most: Numbers) -> Numbers:
     """(ΔC'/S_C)² + (ΔH'/S_H)² at least, given ΔC'² + ΔH'² >= D²."""
-    inverse_SC2 = (1.0 + 0.045 * mean_most) ** -2.0
-    inverse_SH2 = (1.0 + 0.015 * T_MOST * mean_most) ** -2.0
+    SC, SH = 1.0 + 0.045 * mean_most, 1.0 + 0.015 * T_MOST * mean_most
+    inverse_SC2, inverse_SH2 = 1.0 / (SC * SC), 1.0 / (SH * SH)
     dC_most = np.maximum(ranges.x_high - ranges.q_low, ranges.q_high - ranges.x_low)
     dC_most = np.maximum(dC_most, 0.0)
     dH2 = np.maximum(D2 - dC_most * dC_most, 0.0)

@@ -94,8 +94,8 @@ def cie94_bound(q: Numbers, box: Box, angles_deg: Numbers) -> Numbers:
     least, most = chroma_range(box)
     C_q = np.sqrt(q[:, 1] ** 2 + q[:, 2] ** 2)
     dC_most = np.maximum(np.maximum(most - C_q, C_q - least), 0.0)
-    inverse_SC2 = (1.0 + 0.045 * most) ** -2.0
-    inverse_SH2 = (1.0 + 0.015 * most) ** -2.0
+    SC, SH = 1.0 + 0.045 * most, 1.0 + 0.015 * most
+    inverse_SC2, inverse_SH2 = 1.0 / (SC * SC), 1.0 / (SH * SH)
     D2 = plane_distance2(q, box)
     dH2 = np.maximum(D2 - dC_most * dC_most, 0.0)
     dL = _lightness_gap(q, box)
