@@ -10,23 +10,33 @@ from numpy.typing import NDArray
 
 from paintlink.errors import PreviewError
 from paintlink.preview import cpu, gl
+from paintlink.preview.arrays import Float32Array
 from paintlink.preview.picture import Backend
 from paintlink.preview.scene import Band, Scene, band
-from paintlink.preview.strips import Strips
 
-Draw = Callable[[Band, Strips], NDArray[np.uint8]]
+Draw = Callable[[Band, Float32Array], NDArray[np.uint8]]
 
 
 class Drawn(NamedTuple):
-    """Encoded pixels, shape (size, size, 3), who drew them, and why."""
+    """A picture, who drew it, and why.
+
+    Parameters
+    ----------
+    rgb
+        Encoded, shape (size, size, 3).
+    flags
+        How many covered pixels there are of each sum of `cpu.TOO_CHROMATIC` and
+        `cpu.TOO_BRIGHT`, shape (4,).
+    """
 
     rgb: NDArray[np.uint8]
+    flags: NDArray[np.intp]
     backend: Literal["gl", "cpu"]
     reason: str
 
 
-def draw(scene: Scene, strips: Strips, backend: Backend) -> Drawn:
-    """The whole scene in the given strips.
+def draw(scene: Scene, inks: Float32Array, backend: Backend) -> Drawn:
+    """The whole scene in the given paints; ``inks`` as in `cpu.draw`.
 
     Raises
     ------
@@ -34,17 +44,26 @@ def draw(scene: Scene, strips: Strips, backend: Backend) -> Drawn:
         When ``backend`` is ``gl`` and OpenGL is not to be had; never for the others.
     """
     if backend == "cpu":
-        return Drawn(_whole(scene, strips, cpu.draw), "cpu", "numpy, as asked for")
+        return Drawn(*_whole(scene, inks, cpu.draw), "cpu", "numpy, as asked for")
     gl.prepare()
     try:
-        return Drawn(_whole(scene, strips, gl.draw), "gl", gl.renderer())
+        return Drawn(*_whole(scene, inks, gl.draw), "gl", gl.renderer())
     except PreviewError as trouble:
         if backend == "gl":
             msg = f"{trouble}: install a working driver, or let numpy draw (cpu, auto)"
             raise PreviewError(msg) from trouble
-        return Drawn(_whole(scene, strips, cpu.draw), "cpu", f"numpy: {trouble}")
+        return Drawn(*_whole(scene, inks, cpu.draw), "cpu", f"numpy: {trouble}")
 
 
-def _whole(scene: Scene, strips: Strips, draw_band: Draw) -> NDArray[np.uint8]:
-    drawn = [draw_band(band(scene, rows), strips) for rows in scene.bands()]
-    return np.concatenate(drawn)
+def _whole(
+    scene: Scene, inks: Float32Array, draw_band: Draw
+) -> tuple[NDArray[np.uint8], NDArray[np.intp]]:
+    picture, flags = [], np.zeros(4, dtype=np.intp)
+    for rows in scene.bands():
+        prepared = band(scene, rows)
+        colours = draw_band(prepared, inks)
+        drawn = prepared.plain.copy()
+        drawn.reshape(-1, 3)[prepared.pixels] = colours[:, :3]
+        flags += np.bincount(colours[:, 3], minlength=4)
+        picture.append(drawn)
+    return picture[0] if len(picture) == 1 else np.concatenate(picture), flags

@@ -1,8 +1,8 @@
-"""Paint as a short sum: Chebyshev polynomials of the aspecular angle."""
+"""Paint as a short sum: splines of the aspecular angle, and one term for −15."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,18 +15,34 @@ from paintlink.color import (
     xyz_to_lab,
 )
 from paintlink.color.display import LUMINANCE
-from paintlink.model import ColorSpec, FloatArray
+from paintlink.model import ColorSpec, FloatArray, Observer
+from paintlink.preview.spline import CORNER_DEG, END_DEG, SPLINES, splines
 
-TERMS = 12
-THETA_MAX_DEG = 110.0
-THETA_DEG = np.linspace(0.0, 180.0, 721)
+TERMS = SPLINES + 1
+FAR_SIDE_ENDS_DEG = 45.0
+PAINTS_AT_ONCE = 500
+
+THETA_DEG = np.concatenate([
+    np.arange(0.0, 30.0, 0.75),
+    np.arange(30.0, 60.0, 1.5),
+    np.arange(60.0, END_DEG + 1e-9, 2.5),
+])
+"""Where a curve is looked at for its fit: densest where lamps are reflected."""
 
 
-def chebyshev(angles_deg: ArrayLike) -> FloatArray:
-    """T_0 ... of the angle held at 110 degrees, shape (n, TERMS)."""
-    angles = np.minimum(np.asarray(angles_deg, dtype=np.float64), THETA_MAX_DEG)
-    x = 2.0 * angles / THETA_MAX_DEG - 1.0
-    return np.polynomial.chebyshev.chebvander(x, TERMS - 1).astype(np.float64)
+def far_side(angles_deg: ArrayLike) -> FloatArray:
+    """How much of the −15 reading shows at an angle beyond the mirror direction.
+
+    1 at 15 degrees, 0 at the mirror direction and from 45 on, smooth between. The
+    course between is an assumption; the values at 15 on either side are measured.
+    """
+    angles = np.asarray(angles_deg, dtype=np.float64)
+    rising = np.clip(angles / CORNER_DEG, 0.0, 1.0)
+    past = (angles - CORNER_DEG) / (FAR_SIDE_ENDS_DEG - CORNER_DEG)
+    falling = 1.0 - np.clip(past, 0.0, 1.0)
+    up, down = (t * t * (3.0 - 2.0 * t) for t in (rising, falling))
+    share: FloatArray = up * down
+    return share
 
 
 def coefficients(specs: Sequence[ColorSpec]) -> FloatArray:
@@ -34,32 +50,76 @@ def coefficients(specs: Sequence[ColorSpec]) -> FloatArray:
 
     They multiply the baked light directly: the 1/pi of the diffuser is in them.
     """
-    return fit(np.stack([reflectance(spec) for spec in specs]))
+    together = {(spec.angles_deg, spec.observer) for spec in specs}
+    if len(together) == 1:
+        (kind,) = together
+        return coefficients_of(kind[0], [spec.lab() for spec in specs], kind[1])
+    return np.concatenate([coefficients([spec]) for spec in specs])
 
 
-def reflectance(spec: ColorSpec) -> FloatArray:
-    """Reflectance factor at ``THETA_DEG`` in linear sRGB, shape (721, 3).
+def coefficients_of(
+    angles_deg: Sequence[float], lab: ArrayLike, observer: Observer = "10"
+) -> FloatArray:
+    """Coefficients of many paints measured alike, shape (paints, TERMS, 3).
 
-    Noise and curves that overshoot can ask for negative light: that is drawn as none.
+    Parameters
+    ----------
+    lab
+        Shape (paints, angles, 3).
     """
-    lab = drawing_curve(spec.angles_deg, spec.lab())(THETA_DEG)
-    lab[:, 0] = np.maximum(lab[:, 0], 0.0)
-    scale = white("D65", spec.observer)
-    possible = xyz_to_lab(np.maximum(lab_to_xyz(lab, scale), 0.0), scale)
-    return lab_to_linear_srgb(possible, spec.observer)
+    angles, values = tuple(angles_deg), np.asarray(lab, dtype=np.float64)
+    blocks = [
+        np.concatenate(
+            [
+                fit(reflectance(angles, part, observer)),
+                far_side_step(angles, part, observer)[:, np.newaxis],
+            ],
+            axis=1,
+        )
+        for part in _blocks(values)
+    ]
+    return np.concatenate(blocks)
+
+
+def reflectance(
+    angles_deg: Sequence[float], lab: FloatArray, observer: Observer = "10"
+) -> FloatArray:
+    """Reflectance factor at ``THETA_DEG`` in linear sRGB, shape (paints, angles, 3)."""
+    return linear(drawing_curve(angles_deg, lab)(THETA_DEG), observer)
+
+
+def far_side_step(
+    angles_deg: Sequence[float], lab: FloatArray, observer: Observer = "10"
+) -> FloatArray:
+    """How −15 differs from 15, over pi, shape (paints, 3); 0 where not measured."""
+    if -CORNER_DEG not in angles_deg or CORNER_DEG not in angles_deg:
+        return np.zeros((len(lab), 3))
+    far, near = (
+        linear(lab[:, list(angles_deg).index(angle)], observer)
+        for angle in (-CORNER_DEG, CORNER_DEG)
+    )
+    return (far - near) / np.pi
+
+
+def linear(lab: FloatArray, observer: Observer) -> FloatArray:
+    """Linear sRGB of Lab; noise may ask for negative light, which is drawn as none."""
+    lit = np.concatenate([np.maximum(lab[..., :1], 0.0), lab[..., 1:]], axis=-1)
+    scale = white("D65", observer)
+    possible = xyz_to_lab(np.maximum(lab_to_xyz(lit, scale), 0.0), scale)
+    return lab_to_linear_srgb(possible, observer)
 
 
 def fit(factors: FloatArray) -> FloatArray:
-    """Coefficients of reflectance factors given at ``THETA_DEG``, divided by pi.
+    """Spline coefficients of reflectance factors at ``THETA_DEG``, divided by pi.
 
     Parameters
     ----------
     factors
-        Linear sRGB, shape (..., 721, 3); 1.0 is the perfect diffuser.
+        Linear sRGB, shape (..., angles, 3); 1.0 is the perfect diffuser.
 
     Returns
     -------
-    Shape (..., TERMS, 3).
+    Shape (..., SPLINES, 3).
 
     Notes
     -----
@@ -68,9 +128,9 @@ def fit(factors: FloatArray) -> FloatArray:
     """
     values = factors / np.pi
     weight = _weight(values @ LUMINANCE) ** 2
-    basis = chebyshev(THETA_DEG)
+    basis = splines(THETA_DEG)
     products = (basis[:, :, None] * basis[:, None, :]).reshape(len(basis), -1)
-    normal = (weight @ products).reshape(*weight.shape[:-1], TERMS, TERMS)
+    normal = (weight @ products).reshape(*weight.shape[:-1], SPLINES, SPLINES)
     right = basis.T @ (weight[..., None] * values)
     return np.linalg.solve(normal, right).astype(np.float64)
 
@@ -78,6 +138,13 @@ def fit(factors: FloatArray) -> FloatArray:
 def _weight(luminance: FloatArray) -> FloatArray:
     solid_angle = np.sqrt(np.sin(np.radians(np.clip(THETA_DEG, 2.0, 170.0))) + 0.05)
     face = 1.0 + 2.0 * np.exp(-THETA_DEG / 15.0)
-    floor = 0.02 * luminance.max(axis=-1, keepdims=True)
-    weight: FloatArray = solid_angle * face / (luminance + floor)
+    floor = 0.02 * luminance.max(axis=-1, keepdims=True) + 1e-9
+    spacing = np.sqrt(np.gradient(THETA_DEG))
+    spacing[-1] *= np.sqrt((180.0 - END_DEG) / spacing[-1] ** 2)
+    weight: FloatArray = spacing * solid_angle * face / (luminance + floor)
     return weight
+
+
+def _blocks(values: FloatArray) -> Iterator[FloatArray]:
+    for start in range(0, len(values), PAINTS_AT_ONCE):
+        yield values[start : start + PAINTS_AT_ONCE]

@@ -10,9 +10,7 @@ import numpy as np
 
 from paintlink.errors import PreviewError
 from paintlink.model import ColorSpec
-from paintlink.preview.environment import load
 from paintlink.preview.picture import WARNING, Picture
-from paintlink.preview.scene import load_shape
 
 if TYPE_CHECKING:
     from PIL.ImageDraw import ImageDraw
@@ -21,6 +19,7 @@ LEAST_WIDTH = 128
 """Pixels; a narrower picture has no room for legible words."""
 
 LEAST_SIZE = 8
+WORTH_A_WORD = 0.01
 PAPER = (246, 246, 245)
 INK = (38, 38, 40)
 PALE_INK = (112, 112, 114)
@@ -62,10 +61,15 @@ def _small_print(picture: Picture) -> Iterator[str]:
         ", ".join(f"{angle:g}°" for angle in spec.angles_deg) for spec in picture.specs
     )
     observers = dict.fromkeys(f"D65/{spec.observer}°" for spec in picture.specs)
-    shape, light = load_shape(picture.object), load(picture.light)
-    where = f"{shape.LABEL}, light: {light.label}".lower()
-    yield f"aspecular {' | '.join(angles)} · {', '.join(observers)} · {where}"
-    yield " · ".join([*picture.notes, WARNING])
+    about = f"aspecular {' | '.join(angles)} · {', '.join(observers)}"
+    yield f"{about} · {picture.setting}"
+    yield " · ".join([*picture.notes, *_gamut(picture), WARNING])
+
+
+def _gamut(picture: Picture) -> Iterator[str]:
+    """How much of the object the screen has no colour for, when it is worth a word."""
+    if picture.too_chromatic >= WORTH_A_WORD:
+        yield f"{picture.too_chromatic:.0%} too chromatic for sRGB"
 
 
 def _write(

@@ -3,86 +3,119 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from paintlink.model import FloatArray
 from paintlink.preview import disc
 from paintlink.preview.arrays import Float32Array
 from paintlink.preview.environment import Environment
+from paintlink.preview.view import FRONT, View
 
 INDEX = 1.5
 FINE_SIZE = 384
 COARSE_SIZE = 128
-RINGS = 12
-RING_SPACING = np.radians(3.0)
+SHARP = 0.02
+RINGS = 24
+SHARP_RINGS = 12
+RING_SPACING_RAD = np.radians(3.0)
+MOST_IN_A_RING = 48
 
 
-def coat_table(environment: Environment, roughness: float) -> Float32Array:
+def coat_table(
+    environment: Environment, roughness: float, view: View = FRONT
+) -> Float32Array:
     """Light reflected by the coat for every visible normal, (size, size, channels).
 
     Notes
     -----
-    Split sum: the light prefiltered around the mirror direction times the directional
-    albedo of the lobe.
+    A microfacet surface: GGX normals, Smith masking, exact Fresnel reflection. The
+    facets are taken from rings of equal probability around each normal.
+
+    References
+    ----------
+    Walter and others, Microfacet Models for Refraction through Rough Surfaces,
+    EGSR 2007.
     """
-    size = FINE_SIZE if roughness <= 0.02 else COARSE_SIZE
-    normals = disc.normals(size)
+    size = FINE_SIZE if roughness <= SHARP else COARSE_SIZE
     reached = disc.needed(size)
-    visible = normals[reached]
-    mirror = disc.mirror_directions(visible)
+    visible = disc.normals(size)[reached]
+    visible[:, 2] = np.maximum(visible[:, 2], 1e-3)
     table = np.zeros((size, size, environment.channels), dtype=np.float32)
-    table[reached] = _prefiltered(environment, mirror, roughness)
-    table[reached] *= _albedo(visible[:, 2], roughness)[:, None]
+    table[reached] = _reflected(environment, visible, roughness, view)
     return table
 
 
-def fresnel(cosine: FloatArray, index: float = INDEX) -> FloatArray:
+def fresnel(cosine: Float32Array, index: float = INDEX) -> Float32Array:
     """Share of unpolarised light a dielectric surface reflects."""
     inside = np.sqrt(1.0 - (1.0 - cosine**2) / index**2)
     across = (cosine - index * inside) / (cosine + index * inside)
     along = (index * cosine - inside) / (index * cosine + inside)
-    reflected: FloatArray = (across**2 + along**2) / 2.0
+    reflected: Float32Array = (across**2 + along**2) / 2.0
     return reflected
 
 
-def _prefiltered(
-    environment: Environment, mirror: Float32Array, roughness: float
+def _reflected(
+    environment: Environment, normal: Float32Array, roughness: float, view: View
 ) -> Float32Array:
-    """Light averaged over the lobe around each mirror direction, (n, channels)."""
-    right, up = _frame(mirror)
-    total = np.zeros((len(mirror), environment.channels), dtype=np.float32)
-    whole = 0.0
-    for x, y, z, weight in _lobe(roughness):
-        total += weight * environment.seen_along(x * right + y * up + z * mirror)
-        whole += weight
-    return total / np.float32(whole)
+    """Radiance towards the viewer, (n, channels)."""
+    right, up = _frame(normal)
+    total = np.zeros((len(normal), environment.channels), dtype=np.float32)
+    for x, y, z, weight in _facets(roughness):
+        facet = x * right + y * up + z * normal
+        light = 2.0 * facet[:, 2:] * facet
+        light[:, 2] -= 1.0
+        share = _share(facet[:, 2], light, normal, roughness) * (weight / z)
+        total += share[:, None] * environment.seen_along(view.outward(light))
+    return total
 
 
-def _lobe(roughness: float) -> NDArray[np.float32]:
-    """Directions of a GGX lobe about (0, 0, 1) and their weights, shape (n, 4).
+def _share(
+    meeting: Float32Array, light: Float32Array, normal: Float32Array, roughness: float
+) -> Float32Array:
+    """What one facet reflects, over the cosine between facet and normal, (n,).
 
-    Rings hold equal steps of the cubed share of the lobe, so that its long tail is
-    resolved; each ring holds as many directions as its circumference asks for.
+    Parameters
+    ----------
+    meeting
+        Cosine between facet and view.
     """
-    tail = (1.0 - np.arange(RINGS + 1) / RINGS) ** 3
+    cosine_view = normal[:, 2]
+    cosine_light: Float32Array = np.einsum("nc,nc->n", light, normal)
+    seen = (meeting > 0.0) & (cosine_light > 0.0)
+    np.maximum(cosine_light, np.float32(1e-6), out=cosine_light)
+    meeting = np.maximum(meeting, 1e-6).astype(np.float32)
+    hidden = _smith(cosine_view, roughness) + _smith(cosine_light, roughness)
+    reflected = fresnel(meeting) * meeting / (cosine_view * (1.0 + hidden))
+    share: Float32Array = (reflected * seen).astype(np.float32)
+    return share
+
+
+def _facets(roughness: float) -> NDArray[np.float32]:
+    """Facet normals about (0, 0, 1) and their probability, shape (n, 4).
+
+    Rings hold equal steps of the cubed share of the facets, so that their long tail is
+    resolved; each ring holds as many as its circumference asks for.
+    """
+    count = SHARP_RINGS if roughness <= SHARP else RINGS
+    tail = (1.0 - np.arange(count + 1) / count) ** 3
     share = 1.0 - (tail[:-1] + tail[1:]) / 2.0
     cosine = np.sqrt((1.0 - share) / (1.0 + (roughness**2 - 1.0) * share))
-    angle = 2.0 * np.arccos(cosine)
     rings = [
-        _ring(theta, weight * max(np.cos(theta), 0.0), turn)
-        for turn, (theta, weight) in enumerate(zip(angle, -np.diff(tail), strict=True))
+        _ring(float(z), float(weight), turn)
+        for turn, (z, weight) in enumerate(zip(cosine, -np.diff(tail), strict=True))
     ]
     return np.concatenate(rings).astype(np.float32)
 
 
-def _ring(theta: float, weight: float, turn: int) -> FloatArray:
-    count = int(np.clip(np.ceil(2.0 * np.pi * np.sin(theta) / RING_SPACING), 1, 64))
+def _ring(cosine: float, weight: float, turn: int) -> NDArray[np.float64]:
+    sine = np.sqrt(1.0 - cosine**2)
+    around = 2.0 * np.pi * 2.0 * sine / RING_SPACING_RAD
+    count = int(np.clip(np.ceil(around), 1, MOST_IN_A_RING))
     azimuth = 2.0 * np.pi * (np.arange(count) / count + turn * 0.618)
     return np.stack(
         [
-            np.sin(theta) * np.cos(azimuth),
-            np.sin(theta) * np.sin(azimuth),
-            np.full(count, np.cos(theta)),
+            sine * np.cos(azimuth),
+            sine * np.sin(azimuth),
+            np.full(count, cosine),
             np.full(count, weight / count),
         ],
         axis=1,
@@ -103,28 +136,8 @@ def _frame(axis: Float32Array) -> tuple[Float32Array, Float32Array]:
     return right, up
 
 
-def _albedo(cosine_view: Float32Array, roughness: float) -> Float32Array:
-    """Light reflected by a white surrounding, at n.v, shape (n,)."""
-    at = np.linspace(0.0, 1.0, 65) ** 2
-    table = [_albedo_at(max(float(cosine), 1e-3), roughness) for cosine in at]
-    return np.interp(cosine_view, at, table).astype(np.float32)
-
-
-def _albedo_at(cosine_view: float, roughness: float) -> float:
-    share, azimuth = np.meshgrid((np.arange(96) + 0.5) / 96, (np.arange(96) + 0.5) / 96)
-    z = np.sqrt((1.0 - share) / (1.0 + (roughness**2 - 1.0) * share))
-    x = np.sqrt(1.0 - z**2) * np.cos(2.0 * np.pi * azimuth)
-    sine_view = np.sqrt(1.0 - cosine_view**2)
-    meeting = sine_view * x + cosine_view * z
-    cosine_light = 2.0 * meeting * z - cosine_view
-    seen = (meeting > 0.0) & (cosine_light > 0.0)
-    m, h, light = meeting[seen], z[seen], cosine_light[seen]
-    masking = 1.0 + _smith(cosine_view, roughness) + _smith(light, roughness)
-    reflected = fresnel(m) * m / (cosine_view * h) / masking
-    return float(reflected.sum() / share.size)
-
-
-def _smith(cosine: ArrayLike, roughness: float) -> FloatArray:
-    tangent = 1.0 / np.square(cosine) - 1.0
-    hidden: FloatArray = (np.sqrt(1.0 + roughness**2 * tangent) - 1.0) / 2.0
+def _smith(cosine: Float32Array, roughness: float) -> Float32Array:
+    tangent = np.float32(1.0) / cosine**2 - np.float32(1.0)
+    rough = np.sqrt(np.float32(1.0) + np.float32(roughness**2) * tangent)
+    hidden: Float32Array = (rough - np.float32(1.0)) / np.float32(2.0)
     return hidden

@@ -5,46 +5,96 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from paintlink.color import into_gamut
-from paintlink.color.display import encode_srgb
+from paintlink.color.display import LUMINANCE, SHOULDER_FROM, encode_srgb
 from paintlink.preview.arrays import Float32Array
 from paintlink.preview.scene import Band
-from paintlink.preview.strips import Strips
 
-ROWS_AT_ONCE = 16
+PIXELS_AT_ONCE = 8192
 STEPS = 4096
 CODES = (255.0 * encode_srgb((np.arange(STEPS) / (STEPS - 1)) ** 2)).astype(np.float32)
 """Encoded values of the squares of evenly spaced numbers: dense where it is dark."""
 
-
-def draw(band: Band, strips: Strips) -> NDArray[np.uint8]:
-    """Encoded picture of a band, shape (rows, columns, 3)."""
-    _, rows, columns = band.planes.shape
-    covered = strips.between_seams()
-    picture = np.empty((rows, columns, 3), dtype=np.uint8)
-    for ink, left, right in zip(
-        strips.inks, strips.edges[:-1], strips.edges[1:], strict=True
-    ):
-        across = slice(left, right)
-        for top in range(0, rows, ROWS_AT_ONCE):
-            down = slice(top, top + ROWS_AT_ONCE)
-            part = Band(band.planes[:, down, across], band.channels)
-            picture[down, across] = _encoded(_linear(part, ink, covered[across]), part)
-    return picture
+TOO_CHROMATIC, TOO_BRIGHT = 1, 2
+TOLERANCE = np.float32(1e-4)
+ROOM = np.float32(1.0 - SHOULDER_FROM)
+GREY = LUMINANCE.astype(np.float32)
 
 
-def _linear(part: Band, ink: Float32Array, covered: Float32Array) -> Float32Array:
-    """Object before backdrop, linear sRGB, shape (3, rows, columns)."""
-    terms = part.planes[:-3].reshape(part.channels, part.terms, -1)
-    paint = (ink.T[:, np.newaxis, :] @ terms).reshape(3, *part.planes.shape[1:])
-    cover, backdrop = part.planes[-3] * covered, part.planes[-2]
-    seen: Float32Array = backdrop + cover * (paint - backdrop)
+def draw(band: Band, inks: Float32Array) -> NDArray[np.uint8]:
+    """Encoded colour of the covered pixels, and whether sRGB can show it, (n, 4).
+
+    Parameters
+    ----------
+    inks
+        What to multiply the light of each term with, shape (paints, terms, 3).
+
+    Returns
+    -------
+    Red, green, blue, and 0 or the sum of ``TOO_CHROMATIC`` and ``TOO_BRIGHT``.
+    """
+    count = len(band.pixels)
+    drawn = np.empty((count, 4), dtype=np.uint8)
+    for start in range(0, count, PIXELS_AT_ONCE):
+        some = slice(start, start + PIXELS_AT_ONCE)
+        seen = radiance(band, inks, some)
+        drawn[some, 3] = into_gamut(seen)
+        drawn[some, :3] = _encoded(seen, band.dither[some]).T
+    return drawn
+
+
+def radiance(band: Band, inks: Float32Array, some: slice) -> Float32Array:
+    """Object before backdrop in some covered pixels, linear sRGB, shape (3, n)."""
+    light = band.light[:, :, some]
+    seen = _weighed(light, inks[0])
+    for number, ink in enumerate(inks[1:], start=1):
+        np.copyto(seen, _weighed(light, ink), where=band.part[some] == number)
+    behind = band.behind[some]
+    seen -= behind
+    seen *= band.cover[some]
+    seen += behind
     return seen
 
 
-def _encoded(linear: Float32Array, part: Band) -> NDArray[np.uint8]:
-    shown = into_gamut(np.moveaxis(linear, 0, -1))
-    codes = CODES[np.rint(np.sqrt(shown) * (STEPS - 1)).astype(np.intp)]
-    dither = part.planes[-1][..., np.newaxis]
-    encoded: NDArray[np.uint8] = (codes + (dither + 0.5)).astype(np.uint8)
-    return encoded
+def into_gamut(linear: Float32Array) -> NDArray[np.uint8]:
+    """Change colours as `paintlink.color.into_gamut` does, in place; say which and why.
+
+    Parameters
+    ----------
+    linear
+        Shape (3, n).
+    """
+    lowest = linear.min(axis=0)
+    flags: NDArray[np.uint8] = (lowest < -TOLERANCE).astype(np.uint8)
+    chromatic = np.flatnonzero(lowest < 0.0)
+    if len(chromatic):
+        rgb = linear[:, chromatic]
+        luminance = GREY @ rgb
+        distance = np.maximum(luminance - lowest[chromatic], np.float32(1e-9))
+        keep = np.clip(luminance / distance, 0.0, 1.0)
+        linear[:, chromatic] = luminance + keep * (rgb - luminance)
+    peak = linear.max(axis=0)
+    flags += TOO_BRIGHT * (peak > 1.0 + TOLERANCE).astype(np.uint8)
+    bright = np.flatnonzero(peak > SHOULDER_FROM)
+    if len(bright):
+        above = peak[bright]
+        target = 1.0 - ROOM * np.exp((np.float32(SHOULDER_FROM) - above) / ROOM)
+        linear[:, bright] *= target / above
+    np.clip(linear, 0.0, 1.0, out=linear)
+    return flags
+
+
+def _weighed(light: Float32Array, ink: Float32Array) -> Float32Array:
+    if len(light) == 1:
+        neutral: Float32Array = ink.T @ light[0]
+        return neutral
+    return np.stack([ink[:, channel] @ light[channel] for channel in range(3)])
+
+
+def _encoded(shown: Float32Array, dither: Float32Array) -> NDArray[np.uint8]:
+    """Codes of colours within 0 to 1, shape (3, n); changes ``shown``."""
+    np.sqrt(shown, out=shown)
+    shown *= STEPS - 1
+    shown += np.float32(0.5)
+    codes = CODES.take(shown.astype(np.int32))
+    codes += dither + np.float32(0.5)
+    return codes.astype(np.uint8)

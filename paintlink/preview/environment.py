@@ -19,7 +19,8 @@ from paintlink.preview.names import find
 Radiance = Callable[[Float32Array], Float32Array]
 
 GRID = (256, 512)
-MERGE = 4
+WIDEST_LAMP = 8
+MOST_OF_A_LAMP = 1 / 1500
 EXPOSED_NORMAL = np.array([0.0, 0.5**0.5, 0.5**0.5], dtype=np.float32)
 
 
@@ -71,16 +72,18 @@ class Environment:
     def lamps(self) -> tuple[Float32Array, Float32Array]:
         """Far fewer directions of the same flux, (n, 3), and their flux, (n, channels).
 
-        Blocks of the grid become one lamp each, in the direction its flux points to.
+        Blocks of the grid become one lamp each, in the direction its flux points to;
+        bright blocks are split first, so that a sun keeps its shape.
         """
         directions, solid_angle = latitude_longitude()
         flux = self.grid.reshape(-1, 3) * (solid_angle * self.exposure)[:, None]
-        weight = flux.sum(axis=1, keepdims=True)
-        pointing = _merged(weight * directions)
-        pointing /= np.linalg.norm(pointing, axis=1, keepdims=True)
+        moment = flux.sum(axis=1, keepdims=True) * directions
+        pointing, merged = _lamps(flux.reshape(*GRID, 3), moment.reshape(*GRID, 3))
+        length = np.linalg.norm(pointing, axis=1, keepdims=True)
+        lit = length[:, 0] > 0.0
         return (
-            pointing.astype(np.float32),
-            _merged(flux)[:, : self.channels].astype(np.float32),
+            (pointing[lit] / length[lit]).astype(np.float32),
+            merged[lit, : self.channels].astype(np.float32),
         )
 
 
@@ -106,8 +109,28 @@ def latitude_longitude() -> tuple[Float32Array, FloatArray]:
     return directions, np.repeat(band * 2.0 * np.pi / columns, columns)
 
 
-def _merged(values: FloatArray) -> FloatArray:
+def _lamps(flux: FloatArray, moment: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Moment and flux of blocks of 8, 4, 2 and 1 texels, both of shape (n, 3)."""
+    most = MOST_OF_A_LAMP * flux.sum()
     rows, columns = GRID
-    blocks = values.reshape(rows // MERGE, MERGE, columns // MERGE, MERGE, -1)
-    merged: FloatArray = blocks.sum(axis=(1, 3)).reshape(-1, values.shape[-1])
+    size = WIDEST_LAMP
+    waiting = np.ones((rows // size, columns // size), dtype=np.bool_)
+    taken = []
+    while True:
+        block = _merged(flux, size)
+        keep = waiting & ((block.sum(axis=2) <= most) | (size == 1))
+        taken.append((_merged(moment, size)[keep], block[keep]))
+        waiting &= ~keep
+        if size == 1:
+            break
+        size //= 2
+        waiting = waiting.repeat(2, axis=0).repeat(2, axis=1)
+    moments, fluxes = zip(*taken, strict=True)
+    return np.concatenate(moments), np.concatenate(fluxes)
+
+
+def _merged(values: FloatArray, size: int) -> FloatArray:
+    rows, columns, channels = values.shape
+    blocks = values.reshape(rows // size, size, columns // size, size, channels)
+    merged: FloatArray = blocks.sum(axis=(1, 3))
     return merged

@@ -9,10 +9,10 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from paintlink.preview.arrays import Float32Array
 from paintlink.preview.owner import Owner
 from paintlink.preview.painter import Painter
 from paintlink.preview.scene import Band
-from paintlink.preview.strips import Strips
 
 TIMEOUT_S = 60.0
 
@@ -29,15 +29,15 @@ def prepare() -> None:
             _owners.append(Owner(Painter))
 
 
-def draw(band: Band, strips: Strips) -> NDArray[np.uint8]:
-    """Encoded picture of a band, shape (rows, columns, 3); see `cpu.draw`.
+def draw(band: Band, inks: Float32Array) -> NDArray[np.uint8]:
+    """Encoded pixels of a band, shape (n, 4); see `cpu.draw`.
 
     Raises
     ------
     PreviewError
         When there is no OpenGL, or it fails.
     """
-    return _lend(lambda painter: painter.draw(band, strips))
+    return _lend(lambda painter: painter.draw(band, inks))
 
 
 def renderer() -> str:

@@ -12,15 +12,16 @@ from numpy.typing import NDArray
 from paintlink.errors import PreviewError
 from paintlink.preview import cpu
 from paintlink.preview.arrays import Float32Array
+from paintlink.preview.layout import MOST
 from paintlink.preview.probe import require_context
 from paintlink.preview.scene import Band
 from paintlink.preview.shader import FRAGMENT, MAX_LAYERS, VERTEX
-from paintlink.preview.strips import MOST, Strips
 
 GLSL = 330
 KEPT = 4
 INKS_BYTES = MOST * MAX_LAYERS * 3 * 4 * 4
-TRIAL_SIZE = 16
+TRIAL = 256
+COLUMNS = 512
 TOLERANCE = 1
 
 
@@ -54,33 +55,33 @@ class Painter:
         info = self._context.info
         return f"{info['GL_RENDERER']}, OpenGL {info['GL_VERSION']}"
 
-    def draw(self, band: Band, strips: Strips) -> NDArray[np.uint8]:
-        """Encoded picture of a band, shape (rows, columns, 3)."""
-        _, rows, columns = band.planes.shape
-        target = self._targets.take((columns, rows))
+    def draw(self, band: Band, inks: Float32Array) -> NDArray[np.uint8]:
+        """Encoded pixels of a band as `cpu.draw` gives them, shape (n, 4)."""
+        rows = -(-len(band.pixels) // COLUMNS)
+        if not rows:
+            return np.empty((0, 4), dtype=np.uint8)
+        target = self._targets.take((COLUMNS, rows))
         self._textures.take(band).use(0)
         self._program["channels"] = band.channels
-        self._set_strips(strips)
+        self._set_inks(inks)
         target.use()
         self._triangle.render(vertices=3)
-        pixels = target.read(components=3, alignment=1)
-        return np.frombuffer(pixels, np.uint8).reshape(rows, columns, 3)
+        pixels = target.read(components=4, alignment=1)
+        return np.frombuffer(pixels, np.uint8).reshape(-1, 4)[: len(band.pixels)]
 
-    def _set_strips(self, strips: Strips) -> None:
-        layers = _fours(strips.inks.transpose(1, 0, 2))
-        inks = layers.transpose(2, 0, 3, 1).tobytes()
-        nowhere = (2 * strips.edges[-1],) * (MOST - len(strips.inks))
-        self._program["inks"].write(inks.ljust(INKS_BYTES, b"\0"))
-        self._program["edges"] = (*strips.edges[1:-1], *nowhere)
-        self._program["half_seam"] = strips.half_seam
+    def _set_inks(self, inks: Float32Array) -> None:
+        layers = _fours(inks.transpose(1, 0, 2))
+        data = layers.transpose(2, 0, 3, 1).tobytes()
+        self._program["inks"].write(data.ljust(INKS_BYTES, b"\0"))
         self._program["layers"] = len(layers)
 
     def _upload(self, band: Band) -> Any:
-        _, rows, columns = band.planes.shape
-        light = band.planes[:-3].reshape(band.channels, band.terms, rows, columns)
-        layers = np.concatenate([_fours(part) for part in (*light, band.planes[-3:])])
-        texels = np.ascontiguousarray(layers.transpose(0, 2, 3, 1))
-        size = (columns, rows, len(texels))
+        frame = np.stack([band.cover, band.behind, band.dither, band.part])
+        layers = np.concatenate([_fours(part) for part in (*band.light, frame)])
+        rows = -(-len(band.pixels) // COLUMNS)
+        texels = np.zeros((len(layers), rows * COLUMNS, 4), dtype=np.float32)
+        texels[:, : len(band.pixels)] = layers.transpose(0, 2, 1)
+        size = (COLUMNS, rows, len(texels))
         return self._context.texture_array(size, 4, texels, dtype="f4")
 
     def _target(self, size: tuple[int, int]) -> Any:
@@ -88,8 +89,8 @@ class Painter:
 
     def _require_agreement(self) -> None:
         """Draw random numbers both ways; also makes the driver compile the program."""
-        band, strips = _trial()
-        difference = self.draw(band, strips) - cpu.draw(band, strips).astype(np.int16)
+        band, inks = _trial()
+        difference = self.draw(band, inks) - cpu.draw(band, inks).astype(np.int16)
         if np.abs(difference).max() > TOLERANCE:
             msg = f"{self.renderer} draws other colours than it should"
             raise PreviewError(msg)
@@ -118,10 +119,17 @@ def _fours(planes: Float32Array) -> Float32Array:
     return np.concatenate([planes, filler]).reshape(-1, 4, *planes.shape[1:])
 
 
-def _trial() -> tuple[Band, Strips]:
-    """A band of two strips with values from far below to far above what is shown."""
+def _trial() -> tuple[Band, Float32Array]:
+    """A band of two paints with values from far below to far above what is shown."""
     random = np.random.default_rng(0)
-    planes = random.random((8, TRIAL_SIZE, TRIAL_SIZE), dtype=np.float32)
-    planes[-1] -= 0.5
-    inks = random.uniform(-0.5, 1.5, (2, 5, 3)).astype(np.float32)
-    return Band(planes, channels=1), Strips(inks, (0, TRIAL_SIZE // 2, TRIAL_SIZE))
+    light, frame = np.split(random.random((8, TRIAL), dtype=np.float32), [5])
+    band = Band(
+        light=light[np.newaxis],
+        cover=frame[0],
+        behind=frame[1],
+        dither=frame[2] - np.float32(0.5),
+        part=np.arange(TRIAL, dtype=np.uint8) % 2,
+        pixels=np.arange(TRIAL),
+        plain=np.zeros((1, TRIAL, 3), dtype=np.uint8),
+    )
+    return band, random.uniform(-0.5, 1.5, (2, 5, 3)).astype(np.float32)

@@ -27,6 +27,11 @@ class Picture:
         What drew it: ``gl`` or ``cpu``.
     reason
         Which renderer that is, or why it was not OpenGL.
+    setting
+        Object and light in words for people.
+    flags
+        How many covered pixels there are of each sum of `cpu.TOO_CHROMATIC` and
+        `cpu.TOO_BRIGHT`.
     notes
         What had to be assumed, in words for people.
     """
@@ -37,7 +42,19 @@ class Picture:
     object: str
     light: str
     specs: tuple[ColorSpec, ...]
+    setting: str = ""
+    flags: tuple[int, ...] = (0, 0, 0, 0)
     notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         self.rgb.setflags(write=False)
+
+    @property
+    def too_chromatic(self) -> float:
+        """Share of the object that sRGB has no chroma for, 0 to 1."""
+        return (self.flags[1] + self.flags[3]) / max(sum(self.flags), 1)
+
+    @property
+    def too_bright(self) -> float:
+        """Share of the object brighter than the screen, shown darker, 0 to 1."""
+        return (self.flags[2] + self.flags[3]) / max(sum(self.flags), 1)

@@ -47,6 +47,8 @@ def _words(picture: Picture) -> Iterator[tuple[str, str]]:
     yield "Object", picture.object
     yield "Light", picture.light
     yield "Renderer", f"{picture.backend}: {picture.reason}"
+    yield "Too chromatic for sRGB", f"{picture.too_chromatic:.4f} of the object"
+    yield "Too bright for sRGB", f"{picture.too_bright:.4f} of the object"
     yield "Comment", "; ".join([*picture.notes, WARNING])
 
 

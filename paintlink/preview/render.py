@@ -14,11 +14,13 @@ from paintlink.preview import backends
 from paintlink.preview.arrays import Float32Array
 from paintlink.preview.basis import coefficients
 from paintlink.preview.environment import load
+from paintlink.preview.forms import form
 from paintlink.preview.gloss import assumption, roughness_of
+from paintlink.preview.illustration import PLAIN, Illustration
+from paintlink.preview.layout import MOST, Layout, Pattern
 from paintlink.preview.names import require
 from paintlink.preview.picture import Backend, Picture
-from paintlink.preview.scene import Scene, load_shape
-from paintlink.preview.strips import MOST, Strips, split
+from paintlink.preview.scene import Scene
 
 SIZES = range(16, 4097)
 
@@ -31,8 +33,10 @@ def render(
     size: int = 512,
     backend: Backend = "auto",
     cache_dir: Path | None = None,
+    pattern: Pattern = "columns",
+    illustration: Illustration = PLAIN,
 ) -> Picture:
-    """Picture of one paint, or of two to four in vertical strips from left to right.
+    """Picture of one paint, or of two to four that share the object.
 
     The exposure is fixed, so pictures of the same object in the same light compare.
     The first picture of a light takes about a second longer; ``cache_dir`` keeps what
@@ -54,20 +58,31 @@ def render(
     """
     _require_drawable(specs, size)
     require(backend, get_args(Backend), "backend")
-    load(light)
-    span = load_shape(object).SPAN
+    require(pattern, get_args(Pattern), "pattern")
+    shown = form(object)
     coats = [roughness_of(spec.gloss) for spec in specs]
     kinds = tuple(sorted(set(coats)))
-    scene = Scene(object, light, size, kinds, cache_dir)
-    strips = Strips(_inks(specs, coats, kinds), split(span, len(specs), size))
-    drawn = backends.draw(scene, strips, backend)
-    notes = dict.fromkeys(assumption(spec.gloss) for spec in specs)
+    scene = Scene(
+        shown,
+        load(light),
+        size,
+        kinds,
+        cache_dir,
+        Layout(pattern, len(specs)),
+        illustration,
+    )
+    drawn = backends.draw(scene, _inks(specs, coats, kinds), backend)
+    assumptions = dict.fromkeys(assumption(spec.gloss) for spec in specs)
     return Picture(
-        *drawn,
-        object=object,
-        light=light,
+        drawn.rgb,
+        drawn.backend,
+        drawn.reason,
+        object=shown.name,
+        light=scene.light.name,
+        setting=f"{shown.label}, light: {scene.light.label}".lower(),
         specs=tuple(specs),
-        notes=tuple(filter(None, notes)),
+        flags=tuple(drawn.flags.tolist()),
+        notes=(*filter(None, assumptions), *illustration.notes()),
     )
 
 

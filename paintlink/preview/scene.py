@@ -2,41 +2,28 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import lru_cache
-from importlib import import_module
+from dataclasses import dataclass, replace
+from functools import lru_cache, partial
 from pathlib import Path
 from threading import Lock
-from typing import Protocol, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
+from paintlink.color.display import encode_srgb, into_gamut
 from paintlink.model import FloatArray
-from paintlink.preview import disc, environment, objects, store
+from paintlink.preview import forms, illustration, store
 from paintlink.preview.arrays import Float32Array
-from paintlink.preview.backdrop import Ellipse, backdrop, dither
-from paintlink.preview.names import find
+from paintlink.preview.backdrop import dither
+from paintlink.preview.environment import Environment
+from paintlink.preview.gather import gather
+from paintlink.preview.illustration import PLAIN, Illustration
+from paintlink.preview.layout import ALONE, Layout
+from paintlink.preview.surface import Surface
 
-BAND_PIXELS = 1 << 17
-SAMPLES_ACROSS = 1024
+BAND_PIXELS = 1 << 18
 
 _preparing = Lock()
-
-
-class Shape(Protocol):
-    """What a file in ``objects/`` declares; see the docstring of that folder."""
-
-    LABEL: str
-    SPAN: tuple[float, float]
-    SHADOWS: tuple[Ellipse, ...]
-
-    def margin(self, x: FloatArray, y: FloatArray) -> FloatArray:
-        """Distance inside the outline, negative outside, shape of ``x``."""
-        ...
-
-    def normals(self, x: FloatArray, y: FloatArray) -> FloatArray:
-        """Unit normals of points in or just outside the outline, shape (n, 3)."""
-        ...
 
 
 @dataclass(frozen=True)
@@ -49,16 +36,13 @@ class Scene:
         Roughness of each kind of clearcoat in the picture.
     """
 
-    object: str
-    light: str
+    form: forms.Form
+    light: Environment
     size: int
     coats: tuple[float, ...]
     cache_dir: Path | None
-
-    @property
-    def channels(self) -> int:
-        """1 in neutral light, else 3."""
-        return environment.load(self.light).channels
+    layout: Layout = ALONE
+    illustration: Illustration = PLAIN
 
     def bands(self) -> list[slice]:
         """Rows to draw at a time."""
@@ -69,24 +53,45 @@ class Scene:
 
 @dataclass(frozen=True, eq=False)
 class Band:
-    """Some rows of a scene as planes, shape (planes, rows, columns).
+    """The n covered pixels of some rows of a scene, and the rest of these rows.
 
-    First ``channels * terms`` planes of light, to be weighed with the inks and summed;
-    then the share of each pixel the object covers, the backdrop, and the dither.
+    Parameters
+    ----------
+    light
+        To be weighed with the inks and summed, shape (channels, terms, n).
+    cover
+        Share of each pixel the object covers, shape (n,).
+    behind
+        Linear grey of what it does not cover, shape (n,).
+    dither
+        Between -0.5 and 0.5 steps of 255, shape (n,).
+    part
+        Which paint each pixel shows, shape (n,).
+    pixels
+        Positions of the pixels in the rows, shape (n,).
+    plain
+        The rows without the object, encoded, shape (rows, columns, 3).
     """
 
-    planes: Float32Array
-    channels: int
+    light: Float32Array
+    cover: Float32Array
+    behind: Float32Array
+    dither: Float32Array
+    part: NDArray[np.uint8]
+    pixels: NDArray[np.intp]
+    plain: NDArray[np.uint8]
+
+    @property
+    def channels(self) -> int:
+        """1 in neutral light, else 3."""
+        channels: int = self.light.shape[0]
+        return channels
 
     @property
     def terms(self) -> int:
         """Number of planes each colour channel is a sum of."""
-        return (len(self.planes) - 3) // self.channels
-
-
-def load_shape(name: str) -> Shape:
-    """The object file ``name``."""
-    return cast(Shape, import_module(find(name, objects, "object")))
+        terms: int = self.light.shape[1]
+        return terms
 
 
 def band(scene: Scene, rows: slice) -> Band:
@@ -97,61 +102,60 @@ def band(scene: Scene, rows: slice) -> Band:
 
 @lru_cache(maxsize=4)
 def _band(scene: Scene, first: int, last: int) -> Band:
-    shape = load_shape(scene.object)
-    x, y = _pixel_centres(scene.size, slice(first, last))
-    cover = np.clip(0.5 + shape.margin(x, y) * (scene.size / 2.0), 0.0, 1.0)
-    covered = cover > 0.0
-    light = _light_planes(scene, shape, x[covered], y[covered])
-    planes = np.zeros((len(light) + 3, *x.shape), dtype=np.float32)
-    planes[:-3, covered] = light
-    planes[-3] = cover
-    planes[-2] = backdrop(x, y, shape.SHADOWS)
-    planes[-1] = dither(slice(first, last), scene.size)
-    planes.setflags(write=False)
-    return Band(planes, scene.channels)
+    surface = _surface(scene.form, scene.size, first, last)
+    alone = replace(scene, layout=ALONE)
+    row, column = np.divmod(surface.pixels, scene.size)
+    span = scene.form.span
+    parts = scene.layout.parts(span, column, row + first, scene.size)
+    grain = dither(slice(first, last), scene.size)
+    return Band(
+        light=_light(alone, first, last),
+        cover=surface.cover * parts.share,
+        behind=surface.behind.ravel()[surface.pixels].astype(np.float32),
+        dither=grain.ravel()[surface.pixels],
+        part=parts.number,
+        pixels=surface.pixels,
+        plain=_encoded(surface.behind, grain),
+    )
 
 
-def _pixel_centres(size: int, rows: slice) -> tuple[FloatArray, FloatArray]:
-    column = (2.0 * np.arange(size) + 1.0) / size - 1.0
-    row = 1.0 - (2.0 * np.arange(rows.start, rows.stop) + 1.0) / size
-    x, y = np.meshgrid(column, row)
-    return x, y
+@lru_cache(maxsize=4)
+def _surface(form: forms.Form, size: int, first: int, last: int) -> Surface:
+    return form.surface(size, slice(first, last))
 
 
-def _light_planes(
-    scene: Scene, shape: Shape, x: FloatArray, y: FloatArray
-) -> Float32Array:
-    """Light of every term averaged over each pixel, shape (channels * terms, n).
+@lru_cache(maxsize=4)
+def _light(scene: Scene, first: int, last: int) -> Float32Array:
+    """Light of every term averaged over each pixel, shape (channels, terms, n).
 
     Averaging the light is exact for every paint, because paints only weigh it.
     """
-    offsets = _sample_offsets(scene.size)
-    normals = [
-        shape.normals(x + right, y + up).astype(np.float32) for right, up in offsets
+    surface = _surface(scene.form, scene.size, first, last)
+    layers, size = scene.illustration, scene.size
+    wavy = illustration.with_orange_peel(surface, layers, size)
+    base = gather(surface, partial(store.base_table, scene.light, scene.cache_dir))
+    base *= illustration.grain(surface, layers, size)
+    coats = [
+        gather(wavy, partial(store.coat_table, scene.light, coat, scene.cache_dir))
+        for coat in scene.coats
     ]
-    terms = [_averaged(table, normals, scene.channels) for table in _tables(scene)]
-    return np.concatenate(np.concatenate(terms, axis=1))
+    channels, count = scene.light.channels, len(surface.pixels)
+    light = np.concatenate(
+        [
+            part.reshape(channels, len(part) // channels, count)
+            for part in (base, *coats)
+        ],
+        axis=1,
+    )
+    light *= surface.lit
+    light.setflags(write=False)
+    return light
 
 
-def _tables(scene: Scene) -> list[Float32Array]:
-    light, folder = scene.light, scene.cache_dir
-    coats = [store.coat_table(light, coat, folder) for coat in scene.coats]
-    return [store.base_table(light, folder), *coats]
-
-
-def _averaged(
-    table: Float32Array, normals: list[Float32Array], channels: int
-) -> Float32Array:
-    """Mean of the table over the samples of n pixels, shape (channels, terms, n)."""
-    total = disc.look_up(table, normals[0])
-    for sample in normals[1:]:
-        total += disc.look_up(table, sample)
-    total /= np.float32(len(normals))
-    return total.T.reshape(channels, table.shape[2] // channels, len(total))
-
-
-def _sample_offsets(size: int) -> list[tuple[float, float]]:
-    """Places within a pixel to look at, relative to its centre, in picture units."""
-    across = int(np.clip(round(SAMPLES_ACROSS / size), 1, 4))
-    steps = ((np.arange(across) + 0.5) / across - 0.5) * 2.0 / size
-    return [(right, up) for right in steps for up in steps]
+def _encoded(grey: FloatArray, grain: Float32Array) -> NDArray[np.uint8]:
+    """The backdrop, shape (rows, columns, 3)."""
+    shown = into_gamut(np.repeat(grey[..., np.newaxis], 3, axis=2))
+    codes = 255.0 * encode_srgb(shown) + grain[..., np.newaxis]
+    encoded: NDArray[np.uint8] = (codes + 0.5).astype(np.uint8)
+    encoded.setflags(write=False)
+    return encoded

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from paintlink.color.display import LUMINANCE, SHOULDER_FROM
-from paintlink.preview.strips import MOST
+from paintlink.preview.cpu import TOLERANCE, TOO_BRIGHT, TOO_CHROMATIC
+from paintlink.preview.layout import MOST
 
-MAX_LAYERS = 4
-"""Four terms each: twelve of the base and up to four coats."""
+MAX_LAYERS = 5
+"""Four terms each: sixteen of the base and up to four coats."""
 
 VERTEX = """
 #version 330
@@ -20,8 +21,6 @@ FRAGMENT = f"""
 #version 330
 uniform sampler2DArray planes;
 uniform vec4 inks[{3 * MOST * MAX_LAYERS}];
-uniform ivec3 edges;
-uniform float half_seam;
 uniform int layers;
 uniform int channels;
 out vec4 encoded;
@@ -29,14 +28,14 @@ out vec4 encoded;
 const vec3 LUMINANCE = vec3({", ".join(map(str, LUMINANCE))});
 const float SHOULDER = {SHOULDER_FROM};
 const float ROOM = 1.0 - SHOULDER;
+const float TOLERANCE = {TOLERANCE};
 
 vec4 plane(int layer) {{
     return texelFetch(planes, ivec3(gl_FragCoord.xy, layer), 0);
 }}
 
-vec3 paint() {{
-    bvec3 passed = greaterThanEqual(ivec3(gl_FragCoord.x), edges);
-    int first = 3 * layers * int(dot(vec3(passed), vec3(1.0)));
+vec3 paint(int part) {{
+    int first = 3 * layers * part;
     vec3 sum = vec3(0.0);
     for (int layer = 0; layer < layers; ++layer) {{
         vec4 red = plane(layer);
@@ -50,20 +49,15 @@ vec3 paint() {{
     return sum;
 }}
 
-float between_seams() {{
-    vec3 beyond = abs(gl_FragCoord.x - vec3(edges)) - half_seam + 0.5;
-    vec3 share = clamp(beyond, 0.0, 1.0);
-    return share.x * share.y * share.z;
+vec3 desaturated(vec3 rgb, float lowest) {{
+    if (lowest >= 0.0)
+        return rgb;
+    float luminance = dot(rgb, LUMINANCE);
+    float keep = clamp(luminance / max(luminance - lowest, 1e-9), 0.0, 1.0);
+    return luminance + keep * (rgb - luminance);
 }}
 
-vec3 into_gamut(vec3 rgb) {{
-    float luminance = dot(rgb, LUMINANCE);
-    float lowest = min(rgb.r, min(rgb.g, rgb.b));
-    if (lowest < 0.0) {{
-        float keep = clamp(luminance / max(luminance - lowest, 1e-9), 0.0, 1.0);
-        rgb = luminance + keep * (rgb - luminance);
-    }}
-    float peak = max(rgb.r, max(rgb.g, rgb.b));
+vec3 shouldered(vec3 rgb, float peak) {{
     if (peak > SHOULDER)
         rgb *= (SHOULDER + ROOM * (1.0 - exp((SHOULDER - peak) / ROOM))) / peak;
     return clamp(rgb, 0.0, 1.0);
@@ -76,7 +70,13 @@ vec3 encode(vec3 linear) {{
 
 void main() {{
     vec4 frame = plane(channels * layers);
-    vec3 seen = mix(vec3(frame.g), paint(), frame.r * between_seams());
-    encoded = vec4(encode(into_gamut(seen)) + frame.b / 255.0, 1.0);
+    vec3 seen = mix(vec3(frame.g), paint(int(frame.a)), frame.r);
+    float lowest = min(seen.r, min(seen.g, seen.b));
+    vec3 kept = desaturated(seen, lowest);
+    float peak = max(kept.r, max(kept.g, kept.b));
+    float flags = (lowest < -TOLERANCE ? {TOO_CHROMATIC}.0 : 0.0)
+        + (peak > 1.0 + TOLERANCE ? {TOO_BRIGHT}.0 : 0.0);
+    vec3 codes = encode(shouldered(kept, peak)) + frame.b / 255.0;
+    encoded = vec4(codes, flags / 255.0);
 }}
 """

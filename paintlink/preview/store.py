@@ -12,10 +12,12 @@ from pathlib import Path
 
 import numpy as np
 
-from paintlink.preview import bake, coat, environment
+from paintlink.preview import bake, coat
 from paintlink.preview.arrays import Float32Array
+from paintlink.preview.environment import Environment
+from paintlink.preview.view import FRONT, View
 
-RECIPE = 1
+RECIPE = 2
 """To be raised whenever a table would come out differently from the same light."""
 
 SUFFIX = ".plbasis"
@@ -25,20 +27,22 @@ DIGEST_BYTES = hashlib.sha256().digest_size
 _log = logging.getLogger(__name__)
 
 
-@lru_cache(maxsize=8)
-def base_table(light: str, folder: Path | None) -> Float32Array:
+@lru_cache(maxsize=12)
+def base_table(
+    light: Environment, folder: Path | None, view: View = FRONT
+) -> Float32Array:
     """Table of `bake.base_table` for the light, baked at most once."""
-    surroundings = environment.load(light)
-    recipe = f"base {surroundings.digest}"
-    return _kept(recipe, folder, lambda: bake.base_table(surroundings))
+    recipe = f"base {view} {light.digest}"
+    return _kept(recipe, folder, lambda: bake.base_table(light, view))
 
 
-@lru_cache(maxsize=8)
-def coat_table(light: str, roughness: float, folder: Path | None) -> Float32Array:
+@lru_cache(maxsize=24)
+def coat_table(
+    light: Environment, roughness: float, folder: Path | None, view: View = FRONT
+) -> Float32Array:
     """Table of `coat.coat_table` for the light, baked at most once."""
-    surroundings = environment.load(light)
-    recipe = f"coat {roughness} {surroundings.digest}"
-    return _kept(recipe, folder, lambda: coat.coat_table(surroundings, roughness))
+    recipe = f"coat {roughness} {view} {light.digest}"
+    return _kept(recipe, folder, lambda: coat.coat_table(light, roughness, view))
 
 
 def _kept(

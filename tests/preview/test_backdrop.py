@@ -5,7 +5,7 @@ import numpy as np
 from paintlink.color.display import encode_srgb
 from paintlink.preview import render
 from paintlink.preview.backdrop import backdrop, dither
-from paintlink.preview.scene import load_shape
+from paintlink.preview.forms import load_shape
 from tests.preview.truth import GREY
 
 SHADOWS = ((0.0, -0.6, 0.8, 0.06),)

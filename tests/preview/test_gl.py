@@ -12,6 +12,8 @@ from paintlink.model import ColorSpec, Gloss
 from paintlink.preview import gl, light_names, object_names, painter, probe, render
 from tests.preview.truth import GREY, PEARL, RED, SILVER
 
+pytestmark = pytest.mark.usefixtures("coarse_bake")
+
 DULL = ColorSpec("dull", SILVER.samples, gloss=Gloss(20.0, 60.0))
 
 

@@ -5,7 +5,8 @@ import pytest
 
 from paintlink.errors import PreviewError
 from paintlink.preview import object_names
-from paintlink.preview.scene import Shape, load_shape
+from paintlink.preview.forms import load_shape
+from paintlink.preview.relief import Shape
 
 SIDE = 200
 PLACES = (2 * np.arange(SIDE) + 1) / SIDE - 1

@@ -10,6 +10,8 @@ from paintlink.model import ColorSpec, Gloss
 from paintlink.preview import Picture, light_names, object_names, render, scene
 from tests.preview.truth import GREY, PEARL, RED, SILVER, paint
 
+pytestmark = pytest.mark.usefixtures("coarse_bake")
+
 WHITE = paint(*[(95, 0, 0)] * 3)
 BLACK = paint(*[(4, 0, 0)] * 3)
 

@@ -7,9 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from paintlink.preview import coat, store
+from paintlink.preview import coat, environment, store
 
 ROUGHNESS = 0.2
+pytestmark = pytest.mark.usefixtures("coarse_bake")
 
 
 @pytest.fixture(autouse=True)
@@ -22,7 +23,7 @@ def forget_tables() -> Iterator[None]:
 def baked(folder: Path) -> np.ndarray:
     """A table as a process of its own would come by it."""
     store.coat_table.cache_clear()
-    return store.coat_table("studio", ROUGHNESS, folder)
+    return store.coat_table(environment.load("studio"), ROUGHNESS, folder)
 
 
 def test_second_process_reads_instead_of_baking(
@@ -40,7 +41,9 @@ def test_table_is_the_same_without_a_folder(tmp_path: Path) -> None:
     kept = baked(tmp_path)
 
     store.coat_table.cache_clear()
-    np.testing.assert_array_equal(kept, store.coat_table("studio", ROUGHNESS, None))
+    np.testing.assert_array_equal(
+        kept, store.coat_table(environment.load("studio"), ROUGHNESS, None)
+    )
 
 
 def test_folder_holds_one_named_file_each(tmp_path: Path) -> None:

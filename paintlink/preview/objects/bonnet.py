@@ -31,10 +31,11 @@ def margin(x: FloatArray, y: FloatArray) -> FloatArray:
 
 def normals(x: FloatArray, y: FloatArray) -> FloatArray:
     """Unit normals, shape (n, 3)."""
-    return normals_of(_height, x, y)
+    return normals_of(height, x, y)
 
 
-def _height(x: FloatArray, y: FloatArray) -> FloatArray:
+def height(x: FloatArray, y: FloatArray) -> FloatArray:
+    """Height over the picture plane."""
     edge = 0.07 * np.sqrt(np.maximum(_outline(x, y), 1e-4))
     crown = 0.40 * np.abs(x) ** 2.6
     from_middle = 0.44 - 0.15 * _along(y) + 0.03 * _along(y) ** 2

@@ -32,10 +32,11 @@ def margin(x: FloatArray, y: FloatArray) -> FloatArray:
 
 def normals(x: FloatArray, y: FloatArray) -> FloatArray:
     """Unit normals, shape (n, 3)."""
-    return normals_of(_height, x, y)
+    return normals_of(height, x, y)
 
 
-def _height(x: FloatArray, y: FloatArray) -> FloatArray:
+def height(x: FloatArray, y: FloatArray) -> FloatArray:
+    """Height over the picture plane."""
     up = (y - CENTRE_Y) / RADIUS
     bend = RADIUS * np.sqrt(np.maximum(1.0 - up**2, 1e-4))
     return bend - CROWN * x**2 + 0.02 * hem(margin(x, y), HEM_WIDTH)

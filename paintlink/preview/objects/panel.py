@@ -28,10 +28,11 @@ def margin(x: FloatArray, y: FloatArray) -> FloatArray:
 
 def normals(x: FloatArray, y: FloatArray) -> FloatArray:
     """Unit normals, shape (n, 3)."""
-    return normals_of(_height, x, y)
+    return normals_of(height, x, y)
 
 
-def _height(x: FloatArray, y: FloatArray) -> FloatArray:
+def height(x: FloatArray, y: FloatArray) -> FloatArray:
+    """Height over the picture plane."""
     edge = 0.035 * hem(margin(x, y), HEM_WIDTH)
     return edge - _skin(x, y) + _lines(x, y) + _flare(x, y)
 

@@ -19,6 +19,13 @@ def margin(x: FloatArray, y: FloatArray) -> FloatArray:
     return inside
 
 
+def height(x: FloatArray, y: FloatArray) -> FloatArray:
+    """Height over the picture plane."""
+    level = RADIUS**2 - x**2 - (y - CENTRE_Y) ** 2
+    front: FloatArray = np.sqrt(np.maximum(level, 0.0))
+    return front
+
+
 def normals(x: FloatArray, y: FloatArray) -> FloatArray:
     """Unit normals, shape (n, 3)."""
     across, up = x / RADIUS, (y - CENTRE_Y) / RADIUS
