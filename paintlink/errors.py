@@ -6,7 +6,8 @@ says what happened, where, and what the person at the instrument can do about it
 
 from __future__ import annotations
 
-from typing import Literal
+from collections.abc import Sequence
+from typing import Literal, NamedTuple
 
 
 class PaintlinkError(Exception):
@@ -82,6 +83,42 @@ class LibraryError(InputError):
 
 class IndexFileError(LibraryError):
     """Build the search index anew: a stored one is stale, damaged or something else."""
+
+
+class Refusal(NamedTuple):
+    """One thing in a file that is refused: its line or file name, and why."""
+
+    place: int | str
+    what: str
+
+    def __str__(self) -> str:
+        place = f"line {self.place}" if isinstance(self.place, int) else self.place
+        return f"{place}: {self.what}"
+
+
+class ImportRefusedError(LibraryError):
+    """Leave the library as it is: some of what should go into it is refused.
+
+    ``refusals`` stand in the order of the source; with ``stopped`` there may be more.
+    """
+
+    def __init__(
+        self, source: str, refusals: Sequence[Refusal], *, stopped: bool = False
+    ) -> None:
+        self.source = source
+        self.refusals = tuple(refusals)
+        self.stopped = stopped
+        count = f"{'at least ' if stopped else ''}{len(self.refusals)}"
+        super().__init__(
+            f"{source}: {count} refused, the library stays as it was; first "
+            f"{self.refusals[0]}"
+        )
+
+
+class LibraryStoreError(PaintlinkError):
+    """Leave the library as it is: what is stored cannot be read or written."""
+
+    exit_code = 5
 
 
 class DesignError(InputError):

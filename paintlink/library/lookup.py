@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from paintlink.errors import LibraryError
 from paintlink.model import ColorSpec, Gloss, Lab, PaintTable, Sample
 
@@ -77,6 +79,6 @@ def _sample(table: PaintTable, row: int, angle_deg: float) -> Sample:
 
 
 def _gloss(table: PaintTable, row: int) -> Gloss | None:
-    if table.gloss_gu is None:
+    if table.gloss_gu is None or np.isnan(table.gloss_gu[row]):
         return None
     return Gloss(float(table.gloss_gu[row]), GLOSS_ANGLE_DEG)
