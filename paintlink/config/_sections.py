@@ -181,6 +181,14 @@ class InboxSettings:
             "half-written file is read. Raise it for a slow network."
         ),
     ] = 1.0
+    share: Annotated[
+        bool,
+        Key(
+            "Whether the folder lies on a network share. paintlink then looks every 2 "
+            "seconds, and only while the file .paintlink-share can be seen in it "
+            "(create it once, empty)."
+        ),
+    ] = False
     max_size_mib: Annotated[
         int,
         whole(1, 100),
@@ -273,6 +281,14 @@ class RouteSettings:
             "group, everybody else."
         ),
     ] = "0664"
+    share: Annotated[
+        bool,
+        Key(
+            "Whether the folder lies on a network share. paintlink then writes only "
+            "while the file .paintlink-share can be seen in it (create it once, "
+            "empty): a share that is not connected is no empty folder."
+        ),
+    ] = False
     stale_min: Annotated[
         float,
         number(1, 10080),

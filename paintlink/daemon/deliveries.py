@@ -3,10 +3,20 @@
 from __future__ import annotations
 
 import sqlite3
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from paintlink.daemon.database import Database
-from paintlink.daemon.records import Delivery, DeliveryState, Job
+from paintlink.daemon.records import Delivery, DeliveryState
+
+
+class Waiting(NamedTuple):
+    """Deliveries of one route that are not in its folder yet; one of their errors."""
+
+    number: int
+    since: str
+    error: str
 
 
 class Deliveries:
@@ -18,26 +28,40 @@ class Deliveries:
     def open(self, job_id: int, route: str, folder: str, *, copy: int) -> None:
         """Add a delivery inside the caller's transaction; a repeat changes nothing."""
         self._db.run(
-            "INSERT OR IGNORE INTO deliveries (job_id, route, copy, folder, state) "
-            "VALUES (?, ?, ?, ?, 'pending')",
+            "INSERT OR IGNORE INTO deliveries (job_id, route, copy, folder, state, "
+            "opened_at) VALUES (?, ?, ?, ?, 'pending', ?)",
             job_id,
             route,
             copy,
             folder,
+            self._db.stamp(),
         )
 
-    def due(self, now_s: float) -> Delivery | None:
+    def due(
+        self, now_s: float, *, route: str | None = None, without: Sequence[str] = ()
+    ) -> Delivery | None:
         """The delivery to work on next: interrupted ones first.
 
         None is staged into a folder where another one is still being published:
         staging would make a lost staging folder anew and hide the loss.
+
+        Parameters
+        ----------
+        route, without
+            Only those of this route; none of these routes.
         """
+        marks = ", ".join("?" * len(without))
         row = self._db.one(
             "SELECT * FROM deliveries AS d WHERE state IN ('pending', 'publishing') "
-            "AND retry_at <= ? AND (state = 'publishing' OR NOT EXISTS ("
+            "AND retry_at <= ? AND (? IS NULL OR route = ?) "
+            f"AND route NOT IN ({marks}) "
+            "AND (state = 'publishing' OR NOT EXISTS ("
             "SELECT 1 FROM deliveries WHERE state = 'publishing' "
             "AND folder = d.folder)) ORDER BY state DESC, retry_at, id LIMIT 1",
             now_s,
+            route,
+            route,
+            *without,
         )
         return delivery_from_row(row) if row else None
 
@@ -49,11 +73,29 @@ class Deliveries:
         )
         return None if row is None or row[0] is None else float(row[0])
 
-    def lying(self) -> tuple[Delivery, ...]:
+    def lying(self, route: str | None = None) -> tuple[Delivery, ...]:
         """Files that lay in their folder when last looked at."""
-        sql = "SELECT * FROM deliveries WHERE state IN ('written', 'stale')"
-        rows = self._db.all(sql)
+        sql = (
+            "SELECT * FROM deliveries WHERE state IN ('written', 'stale') "
+            "AND (? IS NULL OR route = ?)"
+        )
+        rows = self._db.all(sql, route, route)
         return tuple(delivery_from_row(row) for row in rows)
+
+    def waiting(self) -> dict[str, Waiting]:
+        """What waits in each route, those with nothing left out."""
+        rows = self._db.all(
+            "SELECT route, count(*), min(opened_at), max(error) FROM deliveries "
+            "WHERE state IN ('pending', 'publishing') GROUP BY route"
+        )
+        return {row[0]: Waiting(row[1], row[2], row[3]) for row in rows}
+
+    def last_written_at(self, route: str) -> str:
+        """When a file of the route was last seen to be whole; empty when never."""
+        row = self._db.one(
+            "SELECT max(written_at) FROM deliveries WHERE route = ?", route
+        )
+        return str(row[0] or "") if row else ""
 
     def set_publishing(self, delivery: Delivery, name: str, sha256: str) -> Delivery:
         """The delivery, its staged file on disk, which from here on is the token."""
@@ -84,6 +126,7 @@ class Deliveries:
                 path=f"{delivery.folder}/{delivery.name}",
                 sha256=delivery.sha256,
             )
+            self._finish_job(delivery.job_id)
 
     def postpone(self, delivery: Delivery, retry_at_s: float, error: str) -> None:
         """Try again later, from the same state.
@@ -102,14 +145,18 @@ class Deliveries:
             if delivery.attempts == 0:
                 self._db.log(delivery.job_id, "postponed", f"{delivery.route}: {error}")
 
-    def unfinished(self, job: Job) -> int:
-        """Deliveries of a job that are not yet in their folder."""
+    def _finish_job(self, job_id: int) -> None:
+        """Close a job in the same transaction as the last of its deliveries."""
         row = self._db.one(
-            "SELECT count(*) FROM deliveries WHERE job_id = ? "
-            "AND state IN ('pending', 'publishing')",
-            job.id,
+            "SELECT state, (SELECT count(*) FROM deliveries WHERE job_id = jobs.id "
+            "AND state IN ('pending', 'publishing')) AS left, (SELECT count(*) FROM "
+            "deliveries WHERE job_id = jobs.id AND state IN ('failed', 'unknown')) "
+            "AS bad FROM jobs WHERE id = ?",
+            job_id,
         )
-        return int(row[0]) if row else 0
+        if row and row["state"] == "matched" and row["left"] == row["bad"] == 0:
+            self._db.update("jobs", job_id, state="done", error="")
+            self._db.log(job_id, "done", "every route served")
 
 
 def delivery_from_row(row: sqlite3.Row) -> Delivery:

@@ -9,10 +9,12 @@ from datetime import UTC, datetime
 from paintlink.daemon.imports import store, summary
 from paintlink.daemon.journal import Journal
 from paintlink.errors import InputError
-from paintlink.intake import Claim, Inbox, Options, Profile, read_any
+from paintlink.intake import BusyFileError, Claim, Inbox, Options, Profile, read_any
 from paintlink.model import Finish
 
 log = logging.getLogger(__name__)
+
+BUSY_LIMIT_S = 300.0
 
 
 class InboxWorker:
@@ -38,18 +40,34 @@ class InboxWorker:
         self._inbox = inbox
         self._finish: Finish = finish
         self._profiles = profiles
+        self._name = inbox.folders.inbox.name
+        self._trouble = ""
 
     def step(self) -> bool:
         """Take one file; False when none is ready."""
-        claim = self._inbox.claim()
+        claim = self._claim()
         if claim is None:
             return False
         try:
             self._accept(claim)
         except InputError as error:
-            log.warning("inbox: %s", error)
-            self._inbox.finish(claim.path, "failed", str(error))
+            patience_s = BUSY_LIMIT_S if isinstance(error, BusyFileError) else None
+            if not self._inbox.postpone(claim.path, patience_s=patience_s):
+                log.warning("%s: %s", self._name, error)
+                self._inbox.finish(claim.path, "failed", str(error))
         return True
+
+    def _claim(self) -> Claim | None:
+        """The next file; a folder that is away is told once, not at every look."""
+        try:
+            claim = self._inbox.claim()
+        except InputError as error:
+            if str(error) != self._trouble:
+                log.warning("%s: %s", self._name, error)
+            self._trouble = str(error)
+            return None
+        self._trouble = ""
+        return claim
 
     def _accept(self, claim: Claim) -> None:
         data = self._inbox.read(claim.path)

@@ -302,6 +302,9 @@ class Journal:
             deliveries=tuple(delivery_from_row(one) for one in deliveries),
             preview=Preview(*preview) if preview else None,
             error=row["error"],
+            order_id=row["order_id"],
+            panel_of=row["panel_of"],
+            iteration=row["iteration"],
         )
 
     def _reopen(self, job: Job) -> None:

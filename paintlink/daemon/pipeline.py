@@ -20,7 +20,7 @@ from paintlink.model import (
 from paintlink.snap import nearest, starting_paint
 
 FIRST_RETRY_S = 1.0
-LAST_RETRY_S = 300.0
+LAST_RETRY_S = 5.0  # a share that is back finds its files within ten seconds
 LONGEST_TEXT = 500
 
 
@@ -65,5 +65,5 @@ def open_routes(routes: Iterable[RouteSettings], origin: Origin) -> list[RouteSe
 
 
 def retry_delay_s(attempts: int) -> float:
-    """Seconds to wait after a number of failed attempts: doubling from 1 to 300."""
+    """Seconds to wait after a number of failed attempts: doubling from 1 to 5."""
     return float(min(FIRST_RETRY_S * 2.0 ** min(attempts, 20), LAST_RETRY_S))

@@ -7,10 +7,11 @@ from typing import Literal
 
 from paintlink.model import ColorSpec, Match, Origin
 
-JobState = Literal["received", "specified", "matched", "done", "failed"]
+JobState = Literal["collecting", "received", "specified", "matched", "done", "failed"]
 DeliveryState = Literal[
-    "pending", "publishing", "written", "stale", "taken", "failed", "unknown"
-]
+    "pending", "publishing", "written", "stale", "taken", "answered", "failed",
+    "unknown", "closed",
+]  # fmt: skip
 PreviewState = Literal["pending", "done", "failed"]
 InstrumentState = Literal[
     "absent", "opening", "identifying", "needs calibration", "ready", "reading", "lost"
@@ -60,6 +61,9 @@ class Job:
     deliveries: tuple[Delivery, ...] = ()
     preview: Preview | None = None
     error: str = ""
+    order_id: int | None = None
+    panel_of: int | None = None
+    iteration: int = 0
 
 
 @dataclass(frozen=True, slots=True)

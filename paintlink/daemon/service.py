@@ -8,6 +8,8 @@ import time
 from collections.abc import Callable, Sequence
 
 from paintlink.config import Settings
+from paintlink.daemon.deliverer import Deliverer
+from paintlink.daemon.hints import Hints, Watcher
 from paintlink.daemon.inbox import InboxWorker
 from paintlink.daemon.instruments import InstrumentWorker, NameSample, default_sample
 from paintlink.daemon.journal import Journal
@@ -23,6 +25,9 @@ log = logging.getLogger(__name__)
 
 STOP_LIMIT_S = 5.0
 STALL_S = 60.0
+SHARE_POLL_S = 2.0
+SETTLING_S = 0.25
+PATIENCE = 5.0  # quiet times that a file which cannot be read may still take
 
 
 class Service:
@@ -36,6 +41,8 @@ class Service:
         Readings each instrument takes before it ends; None means no end.
     name_sample
         Name of the next sample, from the instrument's name.
+    make_watcher
+        Makes what tells of changes in folders; watchdog's observer when left out.
     """
 
     def __init__(
@@ -45,12 +52,15 @@ class Service:
         roles: Sequence[Role] = ROLES,
         readings: int | None = None,
         name_sample: NameSample = default_sample,
+        make_watcher: Callable[[], Watcher] | None = None,
     ) -> None:
         self.settings = settings
         self.stopped = threading.Event()
         self._roles = tuple(dict.fromkeys(roles))
         self._line: Worker | None = None
         self._render: Worker | None = None
+        self._deliverers: list[Worker] = []
+        self._hints = Hints(make_watcher)
         self._workers: list[Worker] = []
         self._instruments = [
             InstrumentWorker(
@@ -87,10 +97,12 @@ class Service:
                 self._workers.append(makers[role]())
         for thread in (*self._workers, *self._instruments):
             thread.start()
+        self._hints.start()
 
     def stop(self) -> None:
         """End every thread; what is not finished is continued at the next start."""
         self.stopped.set()
+        self._hints.stop()
         for worker in self._workers:
             worker.wake()
         deadline = time.monotonic() + STOP_LIMIT_S
@@ -110,7 +122,7 @@ class Service:
         deadline = time.monotonic() + timeout_s
         return all(
             worker.idle.wait(max(0.0, deadline - time.monotonic()))
-            for worker in (self._line, self._render)
+            for worker in (self._line, *self._deliverers, self._render)
             if worker is not None
         )
 
@@ -123,7 +135,14 @@ class Service:
         if self._line is not None:
             self._line.wake()
 
+    def _wake_all(self) -> None:
+        for worker in (*self._deliverers, self._render):
+            if worker is not None:
+                worker.wake()
+
     def _make_line(self) -> Worker:
+        served = tuple(route.name for route in self.settings.routes if route.enabled)
+
         def make_step() -> Callable[[], bool]:
             line = Line(
                 Journal(self.settings.journal_path),
@@ -131,20 +150,47 @@ class Service:
                 table=bundled(),
                 formats=load_formats(self.settings.formats_folder),
                 clock=time.time,
+                others=served,
             )
 
             def step() -> bool:
                 worked = line.step()
-                if worked and self._render is not None:
-                    self._render.wake()
-                if not worked:
-                    line.look_at_folders()
+                if worked:
+                    self._wake_all()
                 return worked
 
             return step
 
         self._line = Worker("line", make_step, stop=self.stopped, idle_s=1.0)
+        self._deliverers = [self._make_deliverer(name) for name in served]
+        self._workers += self._deliverers
         return self._line
+
+    def _make_deliverer(self, route: str) -> Worker:
+        """A thread of its own for each route: a hung share delays no other."""
+
+        def make_step() -> Callable[[], bool]:
+            deliverer = Deliverer(
+                Journal(self.settings.journal_path),
+                self.settings.routes,
+                load_formats(self.settings.formats_folder),
+                clock=time.time,
+                only=route,
+            )
+
+            def step() -> bool:
+                worked = deliverer.step()
+                if not worked:
+                    deliverer.look_at_folders()
+                return worked
+
+            return step
+
+        worker = Worker(f"route {route}", make_step, stop=self.stopped, idle_s=1.0)
+        for one in self.settings.routes:
+            if one.name == route and not one.share:
+                self._hints.watch(one.folder, worker.wake)
+        return worker
 
     def _make_render(self) -> Worker:
         def make_step() -> Callable[[], bool]:
@@ -156,16 +202,23 @@ class Service:
         return self._render
 
     def _make_intake(self) -> Worker:
-        def make_step() -> Callable[[], bool]:
-            rules = self.settings.inbox
-            folders = InboxFolders.below(self.settings.site_folder, rules.folder)
+        rules = self.settings.inbox
+        folders = InboxFolders.below(self.settings.site_folder, rules.folder)
+        inbox = Inbox(
+            folders,
+            quiet_s=rules.quiet_s,
+            max_bytes=rules.max_bytes,
+            clock=time.monotonic,
+            share=rules.share,
+            patience_s=PATIENCE * rules.quiet_s,
+        )
+
+        try:
             folders.create()
-            inbox = Inbox(
-                folders,
-                quiet_s=rules.quiet_s,
-                max_bytes=rules.max_bytes,
-                clock=time.monotonic,
-            )
+        except OSError as error:
+            log.warning("%s; the inbox waits until it can be made", error)
+
+        def make_step() -> Callable[[], bool]:
             journal = Journal(self.settings.journal_path)
             worker = InboxWorker(journal, inbox, finish=rules.finish)
 
@@ -177,5 +230,10 @@ class Service:
 
             return step
 
-        poll_s = self.settings.inbox.poll_s
-        return Worker("inbox", make_step, stop=self.stopped, idle_s=poll_s)
+        def wait_s() -> float:
+            poll_s = min(rules.poll_s, SHARE_POLL_S) if rules.share else rules.poll_s
+            return min(poll_s, SETTLING_S) if inbox.unsettled else poll_s
+
+        worker = Worker("inbox", make_step, stop=self.stopped, idle_s=wait_s)
+        self._hints.watch(rules.folder, worker.wake)
+        return worker

@@ -27,7 +27,7 @@ class Worker(threading.Thread):
     make_step
         Called inside the thread, so that what it opens belongs to the thread.
     idle_s
-        How long to wait for a wake-up before looking again.
+        How long to wait for a wake-up before looking again, or what tells it.
     """
 
     def __init__(
@@ -36,7 +36,7 @@ class Worker(threading.Thread):
         make_step: Callable[[], Callable[[], bool]],
         *,
         stop: threading.Event,
-        idle_s: float,
+        idle_s: float | Callable[[], float],
     ) -> None:
         super().__init__(name=name, daemon=True)
         self._make_step = make_step
@@ -82,4 +82,4 @@ class Worker(threading.Thread):
         with self._idle_lock:
             if not self._wake.is_set():
                 self.idle.set()
-        self._wake.wait(self._idle_s)
+        self._wake.wait(self._idle_s() if callable(self._idle_s) else self._idle_s)

@@ -1,12 +1,14 @@
 """Files for other programs: stylesheets, rendering, atomic delivery."""
 
 from paintlink.export.delivery import Outcome, discard, outcome, publish, stage
+from paintlink.export.folders import GUARD, require_share
 from paintlink.export.formats import Format, Formats, load_format, load_formats
 from paintlink.export.names import safe_name
 from paintlink.export.probe import probe
 from paintlink.export.render import ExportFile, JobFacts, file_name, render
 
 __all__ = [
+    "GUARD",
     "ExportFile",
     "Format",
     "Formats",
@@ -20,6 +22,7 @@ __all__ = [
     "probe",
     "publish",
     "render",
+    "require_share",
     "safe_name",
     "stage",
 ]

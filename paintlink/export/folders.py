@@ -13,6 +13,8 @@ from paintlink.errors import ExportError, ExportFault
 FOLDER_FLAGS = os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC
 NEW_FILE_FLAGS = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC
 
+GUARD = ".paintlink-share"
+
 FAULTS: dict[int, tuple[ExportFault, str]] = {
     errno.ENOENT: (
         "missing",
@@ -84,3 +86,21 @@ def explained(place: Path) -> Iterator[None]:
         kind, advice = FAULTS.get(error.errno or 0, ("io", OTHER_FAULT))
         msg = f"{place}: {advice.format(reason=reason)}"
         raise ExportError(msg, kind=kind) from error
+
+
+def require_share(folder: Path) -> None:
+    """Refuse an empty mount point in the place of the share that belongs there.
+
+    Raises
+    ------
+    ExportError
+        When the file that marks the share cannot be seen.
+    """
+    with explained(folder), opened(folder) as folder_fd:
+        marked = exists(GUARD, folder_fd)
+    if not marked:
+        msg = (
+            f"{folder}: {GUARD} is not there, so the share is not connected; mount it, "
+            "or create that file once on the share itself"
+        )
+        raise ExportError(msg, kind="missing")

@@ -7,14 +7,17 @@ from paintlink.intake.contract import (
     ImporterInfo,
     Options,
 )
-from paintlink.intake.inbox import Claim, Inbox, InboxFolders, Outcome
+from paintlink.intake.folders import InboxFolders, require_share
+from paintlink.intake.inbox import Claim, Inbox, Outcome
 from paintlink.intake.mounts import Mount, mount_of
 from paintlink.intake.profile import Profile
 from paintlink.intake.reading import Import, Item, read_any
 from paintlink.intake.registry import importer_failures, importers
+from paintlink.intake.safe import BusyFileError
 from paintlink.intake.source import Source
 
 __all__ = [
+    "BusyFileError",
     "Certainty",
     "Claim",
     "Contents",
@@ -33,4 +36,5 @@ __all__ = [
     "importers",
     "mount_of",
     "read_any",
+    "require_share",
 ]

@@ -19,8 +19,9 @@ from paintlink.config import (
     SiteSettings,
     StateSettings,
 )
+from paintlink.daemon.deliverer import staged_name
 from paintlink.daemon.journal import Journal
-from paintlink.daemon.line import Line, staged_name
+from paintlink.daemon.line import Line
 from paintlink.daemon.records import Job
 from paintlink.export import load_formats, outcome, publish, stage
 from paintlink.library import bundled

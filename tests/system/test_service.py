@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -17,6 +19,8 @@ from paintlink.config import (
     SiteSettings,
     StateSettings,
 )
+from paintlink.daemon import deliverer
+from paintlink.daemon.hints import Watcher
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.records import Job
 from paintlink.daemon.service import Service
@@ -25,6 +29,7 @@ from paintlink.spec import write_spec
 from paintlink_simulators import PtyPort
 from tests.conformance.bench import panel, simulator_module
 from tests.daemon.conftest import make_spec
+from tests.daemon.test_hints import Nobody, Unreliable
 
 LIMIT_S = 30.0
 
@@ -199,3 +204,44 @@ def test_stop_ends_every_thread_quickly(
 
         threads = [*running.service._workers, *running.service._instruments]
         assert not any(thread.is_alive() for thread in threads)
+
+
+@pytest.mark.parametrize("watcher", [Nobody, Unreliable])
+def test_files_arrive_without_trustworthy_events(
+    tmp_path: Path, start: Callable[..., Running], watcher: Callable[[], Watcher]
+) -> None:
+    running = start(settings(tmp_path, {}), make_watcher=watcher)
+    for number in range(5):
+        path = tmp_path / "inbox" / f"{number}.xml"
+        path.write_bytes(write_spec(make_spec(f"bonnet {number}")))
+
+    assert wait_for(lambda: len(running.jobs()) == 5)
+    assert len(list((tmp_path / "colornet").glob("*.xml"))) == 5
+    assert list((tmp_path / "duplicate").iterdir()) == []
+
+
+def test_hung_folder_delays_no_other_route(
+    tmp_path: Path, start: Callable[..., Running], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told = settings(tmp_path, {})
+    (tmp_path / "archive").mkdir()
+    archive = replace(
+        told.routes[0], name="archive", folder=tmp_path / "archive", format="json"
+    )
+    told = replace(told, routes=(*told.routes, archive))
+    released, real = threading.Event(), deliverer.stage
+
+    def hangs(folder: Path, *rest: object, **options: object) -> None:
+        if folder.name == "colornet":
+            released.wait(LIMIT_S)
+        real(folder, *rest, **options)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(deliverer, "stage", hangs)
+    start(told)
+    (tmp_path / "inbox" / "a.xml").write_bytes(write_spec(make_spec()))
+    try:
+        assert wait_for(lambda: len(list((tmp_path / "archive").glob("*.json"))) == 1)
+        assert list((tmp_path / "colornet").glob("*.xml")) == []
+    finally:
+        released.set()
+    assert wait_for(lambda: len(list((tmp_path / "colornet").glob("*.xml"))) == 1)
