@@ -12,7 +12,6 @@ from paintlink.instrument import Link, Prompt, ask, complete, option, quoted, up
 
 THREE = tuple(instrument.parse_geometry(f"45as{angle}") for angle in (25, 45, 75))
 FIVE = tuple(instrument.parse_geometry(f"45as{a}") for a in (15, 25, 45, 75, 110))
-WAVELENGTHS_NM = np.arange(400.0, 701.0, 10.0)
 IDENTITY_TRIES, LINE_IDLE_S, REPORT_IDLE_S = 3, 0.2, 0.3
 DUMP_S, REPORT_S, WHITE_S, WHITE_MORE_S = 5.0, 30.0, 120.0, 5.0
 IDENTITY = r"X-RITE.*(MA58|MA68II|MA68)\D*(\d+\.\d+)?"
@@ -51,8 +50,6 @@ def create(link: Link, options: Mapping[str, object]) -> instrument.Driver:
 
 class Reader:
     """Arms the instrument, waits for the press and reads the memory."""
-
-    trigger: instrument.Trigger = "operator"
 
     def __init__(self, link: Link, options: Options) -> None:
         self._link = link
@@ -96,7 +93,7 @@ class Reader:
         dumps = [self._dump(0x2000 + 0x7C * k) for k in range(len(self._geometries))]
         rows = np.stack([factors(dump) for dump in dumps])
         raw = b"".join(dumps)
-        return self._check.admit(self._geometries, WAVELENGTHS_NM, rows, raw)
+        return self._check.admit(self._geometries, instrument.BANDS_NM, rows, raw)
 
     def _identify(self) -> model.Instrument:
         found = ask(self._link, "v", IDENTITY, refusal=errors.WrongInstrumentError)
@@ -112,8 +109,6 @@ class Reader:
 
 class Listener:
     """Sends nothing; each printed report is a reading."""
-
-    trigger: instrument.Trigger = "operator"
 
     def __init__(self, link: Link, options: Options) -> None:
         self._link = link
@@ -140,8 +135,8 @@ class Listener:
         with complete("report"):
             raw = self._link.receive(REPORT_END, REPORT_S, idle_s=REPORT_IDLE_S)
         columns = self._options.sample_columns
-        percent = instrument.parse_band_rows(raw, WAVELENGTHS_NM, columns)
-        return self._check.admit(FIVE, WAVELENGTHS_NM, percent / 100, raw)
+        percent = instrument.parse_band_rows(raw, instrument.BANDS_NM, columns)
+        return self._check.admit(FIVE, instrument.BANDS_NM, percent / 100, raw)
 
 
 def factors(dump: bytes) -> model.FloatArray:

@@ -1,16 +1,18 @@
 """What a driver author may import: the link, the contract, options, geometry codes."""
 
 from paintlink.instrument._contract import (
+    Confirming,
     Driver,
     DriverInfo,
     DriverModule,
     Prompt,
+    ReadingMemory,
     SerialSettings,
-    Trigger,
     UsbSettings,
+    confirm,
 )
 from paintlink.instrument._dialogue import ask
-from paintlink.instrument._framing import line_size, up_to
+from paintlink.instrument._framing import fixed, line_size, up_to
 from paintlink.instrument._geometry import parse_geometry
 from paintlink.instrument._link import BUFFER_LIMIT, ByteStream, Direction, Link, Tap
 from paintlink.instrument._options import (
@@ -20,7 +22,12 @@ from paintlink.instrument._options import (
     option,
     parse_options,
 )
-from paintlink.instrument._readings import ReadingCheck, complete, parse_band_rows
+from paintlink.instrument._readings import (
+    BANDS_NM,
+    ReadingCheck,
+    complete,
+    parse_band_rows,
+)
 from paintlink.instrument._registry import (
     Modules,
     drivers,
@@ -31,8 +38,10 @@ from paintlink.instrument._registry import (
 from paintlink.instrument._text import did_you_mean, quoted
 
 __all__ = [
+    "BANDS_NM",
     "BUFFER_LIMIT",
     "ByteStream",
+    "Confirming",
     "Direction",
     "Driver",
     "DriverInfo",
@@ -43,16 +52,18 @@ __all__ = [
     "OptionSet",
     "Prompt",
     "ReadingCheck",
+    "ReadingMemory",
     "SerialSettings",
     "Tap",
-    "Trigger",
     "UsbSettings",
     "ask",
     "complete",
+    "confirm",
     "describe_options",
     "did_you_mean",
     "drivers",
     "failures",
+    "fixed",
     "line_size",
     "load_driver",
     "modules_in_group",

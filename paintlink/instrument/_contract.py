@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Protocol, runtime_checkable
 
 from paintlink.instrument._link import Link
 from paintlink.instrument._options import OptionSet, option
 from paintlink.model import CalibrationState, Geometry, Instrument, Measurement
 
 Prompt = Callable[[str], None]
-Trigger = Literal["operator", "host"]
 
 BAUD_RATES = (
     *(300, 600, 1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200),
@@ -102,16 +101,10 @@ class Driver(Protocol):
 
     Every method may raise ``LinkError``, ``LinkTimeoutError``, ``ProtocolError``,
     ``InstrumentError`` and ``CancelledError``. A driver never opens a port, never
-    repeats a reading by itself and never sleeps.
+    repeats a reading by itself and never sleeps. What the instrument itself is told
+    by a press needs a ``prompt`` only; before the driver starts something the operator
+    has to be ready for, it calls `confirm`.
     """
-
-    @property
-    def trigger(self) -> Trigger:
-        """Who starts a reading.
-
-        ``operator``: `measure` waits for the press. ``host``: it measures at once.
-        """
-        ...
 
     def identify(self) -> Instrument:
         """Return what the instrument says it is.
@@ -139,6 +132,33 @@ class Driver(Protocol):
             When the instrument is not calibrated.
         """
         ...
+
+
+@runtime_checkable
+class ReadingMemory(Protocol):
+    """A driver whose instrument keeps readings taken without us."""
+
+    def stored(self) -> Iterator[Measurement]:
+        """Yield every kept reading, oldest first, and delete none.
+
+        ``Measurement.record`` tells the same reading in a later transfer.
+        """
+        ...
+
+
+class Confirming(Protocol):
+    """A prompt that can also wait for the operator."""
+
+    def __call__(self, sentence: str) -> None:
+        """Tell the operator ``sentence``."""
+
+    def confirm(self, sentence: str) -> None:
+        """Tell the operator ``sentence`` and return when it is done."""
+
+
+def confirm(prompt: Prompt | Confirming, sentence: str) -> None:
+    """Return when the operator has done it; at once where nobody can say so."""
+    getattr(prompt, "confirm", prompt)(sentence)
 
 
 class DriverModule(Protocol):

@@ -27,3 +27,19 @@ def up_to(pattern: bytes) -> Callable[[bytes], int]:
         return match.end() if match else 0
 
     return size
+
+
+def fixed(size: int, accept: Callable[[bytes], bool]) -> Callable[[bytes], int]:
+    """Return a function that ends a frame after ``size`` bytes that ``accept`` likes.
+
+    Whatever stands in front of them is passed over: take the last ``size`` bytes of
+    what `Link.receive` returns.
+    """
+
+    def end(buffer: bytes) -> int:
+        for stop in range(size, len(buffer) + 1):
+            if accept(buffer[stop - size : stop]):
+                return stop
+        return 0
+
+    return end

@@ -16,6 +16,7 @@ BUFFER_LIMIT = 65536
 LINE_IDLE_S = 0.2
 # The longest single wait: bounds how late a cancellation and a silence are noticed.
 _SLICE_S = 0.05
+_ROUNDING_S = 1e-6
 
 
 class ByteStream(Protocol):
@@ -108,17 +109,17 @@ class Link:
         LinkTimeoutError
             With the incomplete frame, which is dropped.
         """
-        start = heard = self._clock()
+        heard = self._clock()
+        end = heard + timeout_s
         late = False
         while not (size := decode(bytes(self._buffer))):
             if late:
                 raise self._timed_out(timeout_s)
-            arrived = self._pull(start + timeout_s - self._clock())
-            now = self._clock()
-            late = now - start >= timeout_s
+            arrived = self._pull(end - self._clock())
+            late = self._reached(end)
             if arrived:
-                heard = now
-            elif idle_s is not None and self._buffer and now - heard >= idle_s:
+                heard = self._clock()
+            elif idle_s is not None and self._buffer and self._reached(heard + idle_s):
                 size = decode(bytes(self._buffer) + b"\n")
                 if size:
                     self._tap("silence", b"")
@@ -143,10 +144,9 @@ class Link:
             The last answer: when it comes once more it is nothing new, and neither are
             line ends and blanks.
         """
-        start = self._clock()
+        end = self._clock() + timeout_s
         while after.startswith(bytes(self._buffer).replace(after, b"").strip()):
-            left_s = start + timeout_s - self._clock()
-            if not self._pull(left_s) and self._clock() - start >= timeout_s:
+            if not self._pull(end - self._clock()) and self._reached(end):
                 raise self._timed_out(timeout_s)
 
     def drain(self, idle_s: float, limit_s: float) -> bytes:
@@ -157,23 +157,40 @@ class Link:
         ProtocolError
             When the instrument still sends after ``limit_s``.
         """
-        start = heard = self._clock()
+        heard = self._clock()
+        end = heard + limit_s
         while True:
             if self._pull(idle_s):
                 heard = self._clock()
-            elif self._clock() - heard >= idle_s:
+            elif self._reached(heard + idle_s):
                 self._tap("silence", b"")
                 return self._take()
-            if self._clock() - start >= limit_s:
+            if self._reached(end):
                 msg = (
                     f"the instrument is still sending after {limit_s:g} s: "
                     "check the baud rate"
                 )
                 raise ProtocolError(msg, raw=self._take())
 
+    def watch(self, time_s: float) -> None:
+        """Keep the line under watch; what arrives waits in the buffer.
+
+        Raises
+        ------
+        LinkError
+            When the instrument goes away meanwhile.
+        """
+        end = self._clock() + time_s
+        while not self._reached(end):
+            self._pull(end - self._clock())
+
     def discard(self) -> None:
         """Drop what was received and not asked for."""
         self.drain(idle_s=0.0, limit_s=1.0)
+
+    def _reached(self, time_s: float) -> bool:
+        # A clock that moves by what is waited never gets over its own rounding.
+        return self._clock() >= time_s - _ROUNDING_S
 
     def _pull(self, timeout_s: float) -> bool:
         if self._cancelled():

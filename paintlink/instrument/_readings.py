@@ -16,6 +16,10 @@ from paintlink.model import FloatArray, Geometry, Measurement, Spectra
 # goes below zero. What lies further out is a damaged transmission.
 PLAUSIBLE_FACTORS = (-0.1, 10.0)
 
+BANDS_NM = np.arange(400.0, 701.0, 10.0)
+BANDS_NM.setflags(write=False)
+"""The 31 wavelengths most instruments of the trade measure."""
+
 _DECIMAL = re.compile(rb"[-+]?\d+(?:\.\d+)?")
 
 

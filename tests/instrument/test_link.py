@@ -2,8 +2,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from paintlink.errors import CancelledError, LinkTimeoutError, ProtocolError
-from paintlink.instrument import BUFFER_LIMIT, Link, up_to
+from paintlink.errors import (
+    CancelledError,
+    LinkError,
+    LinkTimeoutError,
+    ProtocolError,
+)
+from paintlink.instrument import BUFFER_LIMIT, Link, fixed, up_to
 
 THREE_BYTES = 3
 
@@ -257,3 +262,40 @@ def test_tap_sees_bytes_and_silences(scripted):
     link.read_line(1.0)
 
     assert seen == [("sent", b"ys\r"), ("received", b"OK"), ("silence", b"")]
+
+
+def test_line_under_watch_keeps_what_arrives(scripted):
+    link, stream = scripted(0.3, b"<01>", 5.0)
+
+    link.watch(1.0)
+
+    assert stream.now_s == pytest.approx(1.0)
+    assert link.receive(lambda data: 4 if len(data) >= 4 else 0, 0.1) == b"<01>"
+
+
+def test_line_under_watch_tells_of_the_unplug(scripted):
+    link, stream = scripted()
+
+    def gone(timeout_s):
+        raise LinkError("unplugged")
+
+    stream.read = gone
+
+    with pytest.raises(LinkError, match="unplugged"):
+        link.watch(1.0)
+
+
+def test_frame_of_fixed_size_is_found_behind_junk(scripted):
+    link, _ = scripted(b"??", b"AB", b"CDx")
+    frame = link.receive(fixed(3, lambda data: data.startswith(b"B")), 1.0)
+
+    assert frame[-3:] == b"BCD"
+    assert link.drain(0.0, 1.0) == b"x"
+
+
+def test_clock_that_cannot_get_over_its_rounding_ends_all_the_same(scripted):
+    link, stream = scripted()
+    stream.now_s = 3.0000000000000004e5
+
+    with pytest.raises(LinkTimeoutError, match=r"within 0\.7 s"):
+        link.receive(lambda data: 0, 0.7)
