@@ -7,93 +7,138 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from paintlink.cli.output import (
-    json_option,
-    lab_text,
-    number_text,
-    print_json,
-    print_table,
-    spec_document,
+from paintlink.cli import library_changes, library_files
+from paintlink.cli.library_state import Where, filter_of, filter_options, on_shelf
+from paintlink.cli.library_views import (
+    entry_document,
+    generation_document,
+    paint_document,
+    print_entries,
+    print_histogram,
+    print_paints,
+    show_paint,
 )
+from paintlink.cli.output import json_option, print_json, print_table
 
 if TYPE_CHECKING:
-    from paintlink.library import Filter
-    from paintlink.model import Finish, PaintTable
-
-FACE, MIDDLE, FLOP = 15.0, 45.0, 110.0
-BLOCK = "\N{FULL BLOCK}" * 2
-
-Range = tuple[float, float]
+    from paintlink.library.shelf import Shelf
 
 
-@click.group("library", short_help="Browse the known paints.")
+@click.group("library", short_help="Browse and keep the known paints.")
 def command() -> None:
-    """Browse the known paints. The bundled ones are synthetic: no real brand."""
+    """Browse the known paints, and keep libraries of your own.
+
+    The library `virtual` comes with paintlink: 6000 synthetic paints of no brand.
+    Import your own with `paintlink library import paints.csv --into NAME`.
+    """
+
+
+for one in (*library_changes.COMMANDS, *library_files.COMMANDS):
+    command.add_command(one)
+
+
+@command.command("libraries")
+@click.option("--removed", is_flag=True, help="List those that were removed.")
+@on_shelf
+@json_option
+def libraries(shelf: Shelf, removed: bool, as_json: bool) -> None:
+    """List all libraries side by side."""
+    from paintlink.library.shelf import own_entry
+
+    gone = map(own_entry, shelf.own.removed())
+    entries = tuple(gone) if removed else shelf.entries()
+    if as_json:
+        print_json([entry_document(one) for one in entries])
+    else:
+        print_entries(entries)
 
 
 @command.command("stats")
+@on_shelf
+@Where.options
 @json_option
-def stats(as_json: bool) -> None:
+def stats(shelf: Shelf, where: Where, as_json: bool) -> None:
     """Count paints by finish and drawer, and say how much they flop."""
-    from paintlink.library import bundled, statistics
+    from paintlink.library import INDEX_NAMES, Filter, histogram, statistics
 
-    table = bundled()
+    table = where.table(shelf)
     found = statistics(table)
-    drawers = [
-        (leaf.paint_set, leaf.family, count) for leaf, count in found.by_leaf.items()
-    ]
+    effects = Filter(finishes=("metallic", "pearl", "unknown"))
+    histograms = [histogram(table, name, effects) for name in INDEX_NAMES]
     if as_json:
+        from dataclasses import asdict
+
         print_json({
             "library": table.library,
             "generation": table.generation,
             "synthetic": table.synthetic,
             "paints": found.paints,
             "by_finish": found.by_finish,
-            "drawers": drawers,
+            "drawers": _drawers(found.by_leaf),
             "mean_flop_index": found.mean_flop_index,
+            "usual_flop_share": found.usual_flop_share,
+            "steep_flop_paints": found.steep_flop_paints,
+            "histograms": [asdict(one) for one in histograms],
         })
         return
-    rows = [(paint_set, family, str(count)) for paint_set, family, count in drawers]
+    rows = [
+        (kind, family, str(count)) for kind, family, count in _drawers(found.by_leaf)
+    ]
     print_table(("set", "drawer", "paints"), rows, title=table.library)
     counts = ", ".join(f"{n} {finish}" for finish, n in found.by_finish.items() if n)
     click.echo(f"{found.paints} paints: {counts}; generation {table.generation}")
-    click.echo(f"mean Flop Index of metallics and pearls {found.mean_flop_index:.2f}")
+    if found.mean_flop_index is not None:
+        mean = f"{found.mean_flop_index:.2f}"
+        click.echo(f"mean Flop Index of metallics and pearls {mean}")
+        for one in histograms:
+            print_histogram(one)
+
+
+@command.command("tree")
+@on_shelf
+@Where.options
+@filter_options
+@json_option
+def tree(shelf: Shelf, where: Where, as_json: bool, **wanted: Any) -> None:
+    """Show the drawers as the book has them, with the number of paints in each."""
+    from paintlink.library.tree import counts
+
+    table = where.table(shelf)
+    found = counts(table, filter_of(**wanted).mask(table))
+    if as_json:
+        print_json(found.document())
+        return
+    click.echo(f"{table.library}: {found.paints}")
+    for depth, name, paints in found.lines():
+        click.echo(f"{'  ' * depth}{name}: {paints}")
 
 
 @command.command("list")
-@click.argument("text", default="")
-@click.option(
-    "--finish",
-    "finishes",
-    multiple=True,
-    type=click.Choice(["solid", "metallic", "pearl"]),
-    help="Only this finish; may be repeated.",
-)
-@click.option("--drawer", "drawers", multiple=True, help="Such as red, or dark.")
-@click.option("--flop", type=(float, float), help="Lowest and highest Flop Index.")
-@click.option("--hue-shift", type=(float, float), help="Of the Hue Shift Index.")
-@click.option("--chroma", type=(float, float), help="Of the Chroma Index.")
+@on_shelf
+@Where.options
+@filter_options
 @click.option("-n", "--limit", default=20, show_default=True, help="Rows to print.")
 @json_option
-def list_paints(*, limit: int, as_json: bool, **wanted: Any) -> None:
+def list_paints(
+    *, shelf: Shelf, where: Where, limit: int, as_json: bool, **wanted: Any
+) -> None:
     """List paints whose code or name contains TEXT, narrowed by the options."""
     import numpy as np
 
-    from paintlink.library import bundled
-
-    table = bundled()
-    rows = np.flatnonzero(_filter(**wanted).apply(table))
-    documents = [_document(table, int(row)) for row in rows[:limit]]
+    table = where.table(shelf)
+    rows = np.flatnonzero(filter_of(**wanted).apply(table))
+    documents = [paint_document(table, int(row)) for row in rows[:limit]]
     if as_json:
         print_json(documents)
         return
-    columns = ("", "code", "name", "finish", "Flop", "Hue Shift", "Chroma")
-    print_table(columns, [_row(one) for one in documents], title=table.library)
+    print_paints(table, documents)
     click.echo(f"{len(documents)} of {len(rows)} paints")
 
 
 @command.command("show")
 @click.argument("code")
+@on_shelf
+@Where.options
 @click.option(
     "-o",
     "--output",
@@ -101,91 +146,42 @@ def list_paints(*, limit: int, as_json: bool, **wanted: Any) -> None:
     help="Write the paint's colour specification to this file.",
 )
 @json_option
-def show(code: str, output: Path | None, as_json: bool) -> None:
+def show(
+    code: str, shelf: Shelf, where: Where, output: Path | None, as_json: bool
+) -> None:
     """Show one paint by its CODE, in colour where the terminal can."""
-    from paintlink.library import bundled, find, paint_spec
+    from paintlink.library import find
 
-    table = bundled()
+    table = where.table(shelf)
     row = find(table, code)
-    spec = paint_spec(table, row)
     if output is not None:
         from paintlink.cli.files import write_new
+        from paintlink.cli.library_folder import full_spec
+        from paintlink.library.loading import SPECIFICATION
         from paintlink.spec import write_spec
 
-        write_new(output, write_spec(spec))
+        document = shelf.extras(table, row).get(SPECIFICATION, "")
+        write_new(output, write_spec(full_spec(table, row, document)))
         click.echo(f"wrote {output}", err=True)
+    show_paint(shelf, table, row, as_json=as_json)
+
+
+@command.command("history")
+@click.argument("name")
+@on_shelf
+@json_option
+def history(name: str, shelf: Shelf, as_json: bool) -> None:
+    """List every generation of the library NAME."""
+    generations = shelf.own.history(shelf.own_head(name))
     if as_json:
-        print_json(spec_document(spec))
+        print_json([generation_document(one) for one in generations])
         return
     rows = [
-        (f"{one.aspecular_deg:g}", _swatch(one.lab), lab_text(one.lab))
-        for one in spec.samples
+        (str(one.number), one.key, one.made_at, one.name, str(one.paints), one.change)
+        for one in generations
     ]
-    title = f"{code} {spec.name}, {spec.finish}"
-    print_table(
-        ("aspecular angle", "", f"L a b, D65/{spec.observer}"), rows, title=title
-    )
-    known = _document(table, row)
-    names = ("flop_index", "hue_shift_index", "chroma_index")
-    values = (f"{name.replace('_', ' ')} {number_text(known[name])}" for name in names)
-    click.echo(", ".join(values))
-    click.echo(f"{table.library}, generation {table.generation}")
+    print_table(("", "generation", "made", "library", "paints", "change"), rows)
 
 
-def _filter(
-    *,
-    text: str,
-    finishes: tuple[Finish, ...],
-    drawers: tuple[str, ...],
-    flop: Range | None,
-    hue_shift: Range | None,
-    chroma: Range | None,
-) -> Filter:
-    from paintlink.color import FAMILIES, LEAVES
-    from paintlink.errors import ConfigError
-    from paintlink.library import Filter
-
-    unknown = [name for name in drawers if name not in FAMILIES]
-    if unknown:
-        msg = f"no drawer {unknown[0]!r}: take {', '.join(FAMILIES)}"
-        raise ConfigError(msg)
-    leaves = tuple(leaf for leaf in LEAVES if leaf.family in drawers)
-    return Filter(finishes, leaves, flop, hue_shift, chroma, text)
-
-
-def _document(table: PaintTable, row: int) -> dict[str, Any]:
-    from paintlink.color import travel
-    from paintlink.library import paint_spec
-
-    spec = paint_spec(table, row)
-    found = travel(spec)
-    return {
-        "code": spec.code,
-        "name": spec.name,
-        "finish": spec.finish,
-        "flop_index": found.flop_index,
-        "hue_shift_index": found.hue_shift_index,
-        "chroma_index": found.chroma_index,
-        "lab": {f"{one.aspecular_deg:g}": list(one.lab) for one in spec.samples},
-    }
-
-
-def _row(paint: dict[str, Any]) -> tuple[str, ...]:
-    lab = paint["lab"]
-    swatches = "".join(_swatch(lab[f"{angle:g}"]) for angle in (FACE, MIDDLE, FLOP))
-    indices = ("flop_index", "hue_shift_index", "chroma_index")
-    return (
-        swatches,
-        paint["code"],
-        paint["name"],
-        paint["finish"],
-        *(number_text(paint[name]) for name in indices),
-    )
-
-
-def _swatch(lab: Any) -> str:
-    """Two characters in the colour, for terminals that show colours."""
-    from paintlink.color import lab_to_srgb
-
-    red, green, blue = (int(value) for value in lab_to_srgb(lab))
-    return click.style(BLOCK, fg=(red, green, blue))
+def _drawers(by_leaf: dict[Any, int]) -> list[tuple[str, str, int]]:
+    return [(leaf.paint_set, leaf.family, count) for leaf, count in by_leaf.items()]

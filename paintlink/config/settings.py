@@ -56,6 +56,11 @@ class Settings:
         return self.state.folder / "journal.db"
 
     @property
+    def library_path(self) -> Path:
+        """The shop's own paint libraries."""
+        return self.state.folder / "library.db"
+
+    @property
     def captures_folder(self) -> Path:
         """Folder of the captured sessions with instruments."""
         return self.state.folder / "captures"

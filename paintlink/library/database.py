@@ -30,8 +30,10 @@ def reading(path: Path) -> Iterator[sqlite3.Connection]:
 
 
 @contextmanager
-def writing(path: Path) -> Iterator[sqlite3.Connection]:
+def writing(path: Path, *, discard: bool = False) -> Iterator[sqlite3.Connection]:
     """The stored libraries inside one transaction: all of a change, or nothing.
+
+    With ``discard``, nothing: the change is tried and taken back.
 
     Raises
     ------
@@ -46,7 +48,7 @@ def writing(path: Path) -> Iterator[sqlite3.Connection]:
         connection.execute("PRAGMA foreign_keys=ON")
         connection.execute(f"PRAGMA cache_size=-{CACHE_KIB}")
         _migrate(connection, path)
-        with _transaction(connection):
+        with _transaction(connection, "ROLLBACK" if discard else "COMMIT"):
             yield connection
         with suppress(sqlite3.Error):  # what was committed is safe without it
             connection.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchone()
@@ -83,11 +85,11 @@ def _watched(path: Path, done: str) -> Iterator[None]:
 
 
 @contextmanager
-def _transaction(connection: sqlite3.Connection) -> Iterator[None]:
+def _transaction(connection: sqlite3.Connection, end: str = "COMMIT") -> Iterator[None]:
     connection.execute("BEGIN IMMEDIATE")
     try:
         yield
-        connection.execute("COMMIT")
+        connection.execute(end)
     except BaseException:
         with suppress(sqlite3.Error):
             if connection.in_transaction:

@@ -56,9 +56,12 @@ class Editor:
         incoming: Incoming,
         mode: Mode = "add",
         *,
+        dry_run: bool = False,
         progress: Progress = untold,
     ) -> Generation:
         """Put paints into the library of this name, which is made when there is none.
+
+        A dry run does everything, and then takes it back.
 
         Raises
         ------
@@ -67,7 +70,7 @@ class Editor:
         LibraryError
             When the paints were measured under other conditions than the library's.
         """
-        with self._writing() as store:
+        with self._writing(discard=dry_run) as store:
             head = store.head(name)
             if head is None:
                 name = check_name(name, store.heads(), self.taken)
@@ -213,8 +216,8 @@ class Editor:
         return store.back(head, goal, change, back_id=back_id)
 
     @contextmanager
-    def _writing(self) -> Iterator[Change]:
-        with writing(self.path) as connection:
+    def _writing(self, *, discard: bool = False) -> Iterator[Change]:
+        with writing(self.path, discard=discard) as connection:
             yield Change(connection, self.now().isoformat(timespec="seconds"))
 
 

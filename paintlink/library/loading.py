@@ -22,8 +22,8 @@ from paintlink.library.facets import facet
 from paintlink.library.generations import Generation
 from paintlink.model import Facet, Finish, PaintTable
 
-HIDDEN = ("specification",)
-"""Extra columns that are documents and no facets."""
+SPECIFICATION = "specification"
+"""The extra column of the whole document a paint came from; no facet."""
 
 
 def load_table(
@@ -170,4 +170,4 @@ def _names(connection: sqlite3.Connection, generation: Generation) -> list[str]:
         "GROUP BY name ORDER BY first",
         (generation.content_id,),
     )
-    return [row["name"] for row in rows if row["name"] not in HIDDEN]
+    return [row["name"] for row in rows if row["name"] != SPECIFICATION]

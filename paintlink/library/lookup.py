@@ -10,6 +10,9 @@ from paintlink.model import ColorSpec, Gloss, Lab, PaintTable, Sample
 GLOSS_ANGLE_DEG = 60.0
 """Angle of the gloss column of every library."""
 
+SYNTHETIC_MARK = " (synthetic)"
+"""Ends the name of every invented paint once it leaves its library."""
+
 
 def find(table: PaintTable, code: str) -> int:
     """Row of the paint with this code, in any case.
@@ -46,7 +49,7 @@ def paint_spec(
     wanted = table.angles_deg if angles_deg is None else angles_deg
     name = table.names[row]
     return ColorSpec(
-        name=f"{name} (synthetic)" if table.synthetic else name,
+        name=f"{name}{SYNTHETIC_MARK}" if table.synthetic else name,
         code=table.codes[row],
         finish=table.finishes[row],
         observer=table.observer,

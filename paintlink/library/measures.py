@@ -32,14 +32,14 @@ class Statistics:
     """How many paints of which kind, and how much the effect paints flop.
 
     ``mean_flop_index`` and ``usual_flop_share`` leave solids out, and paints whose
-    flop index is undefined.
+    flop index is undefined; they are None when none is left.
     """
 
     paints: int
     by_finish: dict[Finish, int]
     by_leaf: dict[Leaf, int]
-    mean_flop_index: float
-    usual_flop_share: float
+    mean_flop_index: float | None
+    usual_flop_share: float | None
     steep_flop_paints: int
 
 
@@ -67,7 +67,11 @@ def statistics(table: PaintTable) -> Statistics:
             leaf: int(np.count_nonzero(drawers == index))
             for index, leaf in enumerate(LEAVES)
         },
-        mean_flop_index=float(flop.mean()),
-        usual_flop_share=float(np.mean(flop <= USUAL_FLOP_LIMIT)),
+        mean_flop_index=_mean(flop),
+        usual_flop_share=_mean(flop <= USUAL_FLOP_LIMIT),
         steep_flop_paints=int(np.count_nonzero(flop > STEEP_FLOP_LIMIT)),
     )
+
+
+def _mean(values: FloatArray | NDArray[np.bool_]) -> float | None:
+    return float(values.mean()) if len(values) else None

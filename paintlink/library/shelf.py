@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from paintlink.errors import LibraryError
+from paintlink.library.diff import Difference
 from paintlink.library.editing import Editor
 from paintlink.library.generations import Generation
 from paintlink.library.rows import Conditions
@@ -116,6 +117,43 @@ class Shelf:
             )
             raise LibraryError(msg)
         return self.own.table(found)
+
+    def difference(self, old: str, new: str = "") -> Difference:
+        """What changed between two generations of one of the shop's own libraries.
+
+        Parameters
+        ----------
+        old
+            Key of a generation, or name of a library for the generation before its
+            present one.
+        new
+            Key of a generation; empty for the present one.
+
+        Raises
+        ------
+        LibraryError
+            When a generation is unknown, or the two belong to different libraries.
+        """
+        before = self.own.generation(old)
+        if before is None:
+            past = self.own.history(self.own_head(old))
+            before = past[-2] if len(past) > 1 else past[-1]
+        after = self.own.generation(new) if new else self.own.history(before)[-1]
+        if after is None:
+            msg = f"no library has a generation {new!r}: `paintlink library history`"
+            raise LibraryError(msg)
+        if before.library_id != after.library_id:
+            msg = (
+                f"{old} belongs to the library {before.name}, {new} to {after.name}: "
+                "name two generations of one library"
+            )
+            raise LibraryError(msg)
+        return self.own.difference(before, after)
+
+    def specifications(self, table: PaintTable) -> Sequence[str]:
+        """The document each paint was imported from, empty where there is none."""
+        stored = self.own.generation(table.generation)
+        return self.own.specifications(stored) if stored else ("",) * len(table)
 
     def extras(self, table: PaintTable, row: int) -> dict[str, str]:
         """Every further column of one paint, such as brand or formula."""

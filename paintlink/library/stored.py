@@ -13,7 +13,13 @@ from paintlink.library.blocks import load_block
 from paintlink.library.database import reading
 from paintlink.library.diff import Difference, difference
 from paintlink.library.generations import Generation
-from paintlink.library.loading import block_ids, load_table, paint_extras
+from paintlink.library.loading import (
+    SPECIFICATION,
+    block_ids,
+    column_texts,
+    load_table,
+    paint_extras,
+)
 from paintlink.model import PaintTable
 
 
@@ -50,6 +56,11 @@ class StoredLibraries:
         """Every further column of one paint of a generation."""
         with reading(self.path) as connection:
             return paint_extras(connection, generation, paint_id)
+
+    def specifications(self, generation: Generation) -> list[str]:
+        """The document each paint was imported from, empty where there is none."""
+        with reading(self.path) as connection:
+            return column_texts(connection, generation, SPECIFICATION)
 
     def difference(self, old: Generation, new: Generation) -> Difference:
         """What changed between two generations of one library.
