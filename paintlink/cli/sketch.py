@@ -127,7 +127,6 @@ def fit(
         exposure=sketch.recipe.exposure,
         angles_deg=ANGLES[angles],
         name=name or painted.stem,
-        lossy=sketch.painting.lossy,
     )
     if report is not None:
         write_new(report, _picture(sketch, found), replace=True)

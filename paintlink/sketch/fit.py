@@ -16,6 +16,7 @@ from paintlink.sketch.paper_fit import paper_lab, paper_rgb
 from paintlink.sketch.reference import without_strays
 from paintlink.sketch.refusals import require_paint
 from paintlink.sketch.result import AngleFit, SketchFit
+from paintlink.sketch.rounding import unrounded
 from paintlink.sketch.selection import CODE, REASONS, Selection, select
 from paintlink.sketch.travel import travel_curve
 from paintlink.sketch.values import (
@@ -49,7 +50,6 @@ def fit_painting(
     exposure: float,
     angles_deg: tuple[float, ...] = ANGLES_DEG,
     name: str = "sketch",
-    lossy: bool = False,
 ) -> SketchFit:
     """The paint that a painting shows, with what each value rests on.
 
@@ -63,20 +63,22 @@ def fit_painting(
         Encoded sRGB of the picture the artist began with, shape (height, width, 3).
     exposure
         Linear sRGB of a perfect diffuser facing the light in that picture.
-    lossy
-        The file was compressed with losses.
 
     Raises
     ------
     InputError
         When the pictures do not belong together, or when too little is painted.
     """
-    selection = select(painting, geometry, start, lossy=lossy)
+    selection = select(painting, geometry, start)
     require_paint(selection)
     taken = (selection.theta_deg, selection.phi, selection.encoded, exposure)
     points = pixels(*taken)
     inlier, cells = without_strays(points)
-    found = _Found(points, inlier, cells, travel_curve(cells, angles_deg), lossy)
+    fine = unrounded(
+        points, inlier, painting=painting, geometry=geometry, selection=selection
+    )
+    travel = travel_curve(fine, angles_deg)
+    found = _Found(points, inlier, fine, travel, painting.lossy)
     rests = evidence(angles_deg, cells, points.theta_deg[inlier], selection.painted_deg)
     angles = tuple(_angle(item, found) for item in rests)
     curve = drawing_curve(angles_deg, [item.lab for item in angles])

@@ -17,6 +17,7 @@ from paintlink.preview.arrays import Float32Array
 from paintlink.sketch.geometry import bands
 from paintlink.sketch.png import Codes, to_values
 from paintlink.sketch.profiles import Profile, read_profile
+from paintlink.sketch.storage import Compressed, Rounded, Storage
 from paintlink.sketch.values import Painting
 
 if TYPE_CHECKING:
@@ -28,6 +29,9 @@ MOST_BYTES = 1 << 29
 PNG_END = b"IEND\xaeB\x60\x82"
 USUAL_GAMMA = 1.0 / 2.2
 UPRIGHT = 1
+UNUSUAL = -1
+"""Pillow's number for a subsampling it cannot write."""
+
 ORIENTATION = 0x0112
 
 EXPORT = "export the flattened picture as PNG, TIFF or JPEG in RGB"
@@ -106,6 +110,7 @@ def _read(opened: Opened, data: bytes) -> Painting:
         _require_usable(image, data)
         profile = _profile(image)
         lossy, palette = image.format == "JPEG", image.mode == "P"
+        storage = _storage(image, profile)
         codes = _codes(image, opened)
         _require_unmarked(image)
     notes = [LOSSY_NOTE] * lossy + [PALETTE_NOTE] * palette
@@ -114,7 +119,9 @@ def _read(opened: Opened, data: bytes) -> Painting:
     encoded = np.ascontiguousarray(values[..., :3])
     if profile is not None:
         notes.append(_converted(encoded, profile))
-    return Painting(encoded, alpha, 8 * codes.dtype.itemsize, tuple(notes), lossy)
+    bits = 8 * codes.dtype.itemsize
+    kept = storage if bits == 8 else None
+    return Painting(encoded, alpha, bits, tuple(notes), lossy, kept)
 
 
 def _require_usable(image: ImageFile, data: bytes) -> None:
@@ -154,6 +161,22 @@ def _profile(image: ImageFile) -> Profile | None:
         msg = f"its samples are marked with gamma {gamma:g}: save it as sRGB"
         raise InputError(msg)
     return None
+
+
+def _storage(image: ImageFile, profile: Profile | None) -> Storage | None:
+    """How eight bits a channel were kept; None where that cannot be done again."""
+    if image.mode == "P":
+        return None
+    if image.format != "JPEG":
+        return Rounded(profile)
+    from PIL.JpegImagePlugin import JpegImageFile, get_sampling
+
+    if not isinstance(image, JpegImageFile):
+        return None
+    subsampling = get_sampling(image)
+    if subsampling == UNUSUAL:
+        return None
+    return Compressed(image.quantization, subsampling, profile)
 
 
 def _codes(image: ImageFile, opened: Opened) -> Codes:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,11 +11,13 @@ import numpy as np
 from paintlink.color.display import BRADFORD, XYZ_TO_SRGB, encode_srgb
 from paintlink.errors import InputError
 from paintlink.model import FloatArray
+from paintlink.sketch.transfer import decode_srgb
 
 HEADER_BYTES = 128
 MOST_TAGS = 100
 D50 = np.array([0.9642, 1.0, 0.8249])
 TABLE_STEPS = 1 << 16
+STEPS = np.linspace(0.0, 1.0, TABLE_STEPS)
 
 WAY_OUT = "convert the picture to sRGB in your program and save it again"
 
@@ -41,16 +44,21 @@ class Profile:
 
     def convert(self, encoded: FloatArray) -> FloatArray:
         """Encoded sRGB, shape (..., 3), not yet limited to 0 to 1."""
-        steps = np.linspace(0.0, 1.0, TABLE_STEPS)
-        channels = np.moveaxis(encoded, -1, 0)
-        linear = np.stack(
-            [
-                np.interp(channel, steps, curve)
-                for channel, curve in zip(channels, self.curves, strict=True)
-            ],
-            axis=-1,
-        )
-        return encode_srgb(linear @ self.to_srgb)
+        curves = ((STEPS, curve) for curve in self.curves)
+        return encode_srgb(_each_channel(encoded, curves) @ self.to_srgb)
+
+    def from_srgb(self, encoded: FloatArray) -> FloatArray:
+        """Values of this space, 0 to 1, that show encoded sRGB, shape (..., 3)."""
+        linear = decode_srgb(encoded) @ np.linalg.inv(self.to_srgb)
+        return _each_channel(linear, ((curve, STEPS) for curve in self.curves))
+
+
+def _each_channel(
+    values: FloatArray, tables: Iterable[tuple[FloatArray, FloatArray]]
+) -> FloatArray:
+    """Values through one table a channel, pairs of x (ascending) and y."""
+    channels = zip(np.moveaxis(values, -1, 0), tables, strict=True)
+    return np.stack([np.interp(one, x, y) for one, (x, y) in channels], axis=-1)
 
 
 def read_profile(data: bytes) -> Profile:
@@ -120,7 +128,7 @@ def _xyz(tag: bytes) -> FloatArray:
 
 def _curve(tag: bytes) -> FloatArray:
     """Linear values of a curve tag at even steps."""
-    x = np.linspace(0.0, 1.0, TABLE_STEPS)
+    x = STEPS
     if tag[:4] == b"para":
         return _parametric(tag, x)
     if tag[:4] != b"curv":

@@ -70,13 +70,7 @@ class Selection:
     painted_deg: FloatArray
 
 
-def select(
-    painting: Painting,
-    geometry: PixelGeometry,
-    start: PixelArray,
-    *,
-    lossy: bool = False,
-) -> Selection:
+def select(painting: Painting, geometry: PixelGeometry, start: PixelArray) -> Selection:
     """Changed foreground pixels without gloss, clipping and transparency.
 
     The first reason that holds, in the order of `REASONS`, is the one that counts.
@@ -85,8 +79,6 @@ def select(
     ----------
     start
         Encoded sRGB of the picture the artist began with, shape (height, width, 3).
-    lossy
-        The file was compressed with losses, so small changes prove nothing.
 
     Raises
     ------
@@ -99,7 +91,9 @@ def select(
     theta = geometry.theta_deg[thin].astype(np.float64)
     phi = geometry.phi[thin].astype(np.float64)
     encoded = painting.encoded[thin].astype(np.float64)
-    limit = (CHANGED_CODES_LOSSY if lossy else CHANGED_CODES) * CODE + ROUNDING
+    # Where the file was compressed with losses, small changes prove nothing.
+    codes = CHANGED_CODES_LOSSY if painting.lossy else CHANGED_CODES
+    limit = codes * CODE + ROUNDING
     drops: dict[Reason, BoolArray] = {
         "background": ~geometry.mask[thin],
         "edge": ~eroded(geometry.mask, step),

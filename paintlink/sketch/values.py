@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from paintlink.sketch.storage import Storage
+
 BoolArray = NDArray[np.bool_]
 PixelArray = NDArray[np.floating]
 """One number a pixel, single precision where the picture is large; sums need double."""
@@ -30,6 +32,12 @@ class PixelGeometry:
     phi: PixelArray
     mask: BoolArray
 
+    def rows(self, chosen: NDArray[np.int64]) -> PixelGeometry:
+        """The geometry of some rows."""
+        return PixelGeometry(
+            self.theta_deg[chosen], self.phi[chosen], self.mask[chosen]
+        )
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Painting:
@@ -47,6 +55,9 @@ class Painting:
         What a reader should know: profile converted, palette, moved.
     lossy
         Whether the file was compressed with loss.
+    storage
+        What saving did to the pixels; None where that is too fine to matter, or not
+        known.
     """
 
     encoded: PixelArray
@@ -54,3 +65,4 @@ class Painting:
     bits: int = 8
     notes: tuple[str, ...] = ()
     lossy: bool = False
+    storage: Storage | None = None

@@ -5,9 +5,10 @@ Its own geometry, written from the formulas: what is checked here is the fit alo
 
 from __future__ import annotations
 
-import io
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 from PIL import Image, ImageDraw
@@ -15,6 +16,8 @@ from PIL import Image, ImageDraw
 from paintlink.color import Curve, drawing_curve, lab_to_linear_srgb
 from paintlink.color.display import encode_srgb
 from paintlink.model import ColorSpec, FloatArray
+from paintlink.sketch.pictures import read_picture
+from paintlink.sketch.profiles import read_profile
 from paintlink.sketch.values import Painting, PixelGeometry
 
 HEADROOM = 0.92
@@ -126,10 +129,13 @@ def quantised(encoded: FloatArray, bits: int) -> Painting:
     return Painting(np.rint(encoded * top) / top, bits=bits)
 
 
-def through_file(encoded: FloatArray, kind: str, **options: object) -> Painting:
+def through_file(
+    encoded: FloatArray, kind: str, profile: bytes | None = None, **options: object
+) -> Painting:
     """The painting after a real file of 8 bits a channel, ``PNG`` or ``JPEG``."""
-    file = io.BytesIO()
-    image = Image.fromarray(np.rint(255.0 * encoded).astype(np.uint8))
-    image.save(file, kind, **options)
-    with Image.open(file) as back:
-        return Painting(np.asarray(back.convert("RGB")) / 255.0)
+    values = encoded if profile is None else read_profile(profile).from_srgb(encoded)
+    image = Image.fromarray(np.rint(255.0 * values).astype(np.uint8))
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / f"painting.{kind.lower()}"
+        image.save(path, kind, icc_profile=profile, **options)
+        return read_picture(path)

@@ -55,7 +55,6 @@ def difference(sketch: Sketch, paint: ColorSpec = BLUE) -> np.ndarray:
         sketch.start,
         exposure=sketch.recipe.exposure,
         angles_deg=ANGLES,
-        lossy=sketch.painting.lossy,
     )
     return ciede2000(found.spec().lab(), paint.lab())
 

@@ -16,6 +16,13 @@ from paintlink.model import FloatArray
 from paintlink.sketch.fit import ANGLES_DEG, fit_painting
 from paintlink.sketch.result import SketchFit
 from paintlink.sketch.values import Painting
+from tests.sketch.icc import (
+    ADOBE_CURVE,
+    ADOBE_PRIMARIES,
+    P3_PRIMARIES,
+    SRGB_CURVE,
+    matrix_profile,
+)
 from tests.sketch.synthesis import (
     Paint,
     Setup,
@@ -29,6 +36,8 @@ from tests.sketch.synthesis import (
 )
 
 REAL_CURVES = Path(__file__).parents[3] / "shared" / "data" / "real_paints_curves.csv"
+DISPLAY_P3 = matrix_profile(P3_PRIMARIES, SRGB_CURVE, name="Display P3")
+ADOBE_RGB = matrix_profile(ADOBE_PRIMARIES, ADOBE_CURVE, name="Adobe RGB (1998)")
 FITS = ("local", "paper Lab", "paper RGB")
 
 
@@ -38,7 +47,6 @@ class Damage:
 
     name: str
     treat: Callable[[FloatArray, np.ndarray, np.random.Generator], Painting]
-    lossy: bool = False
 
 
 def _daubed(encoded: FloatArray, mask: np.ndarray, rng: np.random.Generator):
@@ -51,10 +59,17 @@ DAUBED = Damage(
     "PNG, 2 % noise, 10 % strokes",
     lambda encoded, mask, rng: through_file(_daubed(encoded, mask, rng), "PNG"),
 )
+P3 = Damage(
+    "PNG in Display P3",
+    lambda encoded, mask, rng: through_file(encoded, "PNG", DISPLAY_P3),
+)
+ADOBE = Damage(
+    "PNG in Adobe RGB",
+    lambda encoded, mask, rng: through_file(encoded, "PNG", ADOBE_RGB),
+)
 JPEG = Damage(
     "JPEG 90",
     lambda encoded, mask, rng: through_file(encoded, "JPEG", quality=90),
-    lossy=True,
 )
 
 
@@ -95,9 +110,7 @@ def _errors(
     encoded = picture(setup.geometry, paint.reflectance, exposure)
     painting = damage.treat(encoded, setup.geometry.mask, rng)
     try:
-        found = fit_painting(
-            painting, setup.geometry, setup.start, exposure=exposure, lossy=damage.lossy
-        )
+        found = fit_painting(painting, setup.geometry, setup.start, exposure=exposure)
     except InputError:
         return dict.fromkeys(FITS, np.full(len(ANGLES_DEG), np.nan))
     measured = [item.evidence.word == "measured" for item in found.angles]
