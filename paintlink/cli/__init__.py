@@ -23,6 +23,7 @@ COMMANDS = {
     "devices": "devices",
     "export": "export",
     "import": "import_",
+    "formulation": "formulation",
     "jobs": "jobs",
     "library": "library",
     "measure": "measure",

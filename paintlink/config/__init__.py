@@ -4,6 +4,7 @@ from paintlink.config._explain import explain
 from paintlink.config._known import check_against
 from paintlink.config._load import default_settings, find_config, load_settings
 from paintlink.config._sections import (
+    FormulationSettings,
     InboxSettings,
     InstrumentSettings,
     LogSettings,
@@ -16,6 +17,7 @@ from paintlink.config._sections import (
 from paintlink.config.settings import Settings
 
 __all__ = [
+    "FormulationSettings",
     "InboxSettings",
     "InstrumentSettings",
     "LogSettings",

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, get_args, get_type_hints
 
 from paintlink.config._sections import (
+    FormulationSettings,
     InboxSettings,
     InstrumentSettings,
     LogSettings,
@@ -29,6 +30,7 @@ class Document:
     inbox: InboxSettings
     snap: SnapSettings = field(default_factory=SnapSettings)
     route: tuple[RouteSettings, ...] = ()
+    formulation: FormulationSettings = field(default_factory=FormulationSettings)
     preview: PreviewSettings = field(default_factory=PreviewSettings)
     log: LogSettings = field(default_factory=LogSettings)
 
@@ -41,6 +43,7 @@ class Document:
             inbox=self.inbox,
             snap=self.snap,
             routes=self.route,
+            formulation=self.formulation,
             preview=self.preview,
             log=self.log,
             source=source,

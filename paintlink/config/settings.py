@@ -7,6 +7,7 @@ from pathlib import Path
 
 from paintlink.config._places import is_absent
 from paintlink.config._sections import (
+    FormulationSettings,
     InboxSettings,
     InstrumentSettings,
     LogSettings,
@@ -31,6 +32,7 @@ class Settings:
     instruments: tuple[InstrumentSettings, ...] = ()
     snap: SnapSettings = field(default_factory=SnapSettings)
     routes: tuple[RouteSettings, ...] = ()
+    formulation: FormulationSettings = field(default_factory=FormulationSettings)
     preview: PreviewSettings = field(default_factory=PreviewSettings)
     log: LogSettings = field(default_factory=LogSettings)
     source: Path | None = None
@@ -49,6 +51,18 @@ class Settings:
     def log_level(self) -> str:
         """Least important message to write."""
         return self.log.level
+
+    @property
+    def answering_route(self) -> str:
+        """Name of the route whose program answers; empty when there is none."""
+        named = self.formulation.route
+        found = [one.name for one in self.routes if one.format == "colornet"]
+        return named or (found[0] if found else "")
+
+    @property
+    def answers_folder(self) -> Path:
+        """Folder where the formulation software puts its answers."""
+        return self.site.folder / "answers"
 
     @property
     def journal_path(self) -> Path:

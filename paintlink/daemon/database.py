@@ -58,7 +58,13 @@ class Database:
 
     @contextmanager
     def transaction(self) -> Iterator[None]:
-        """One durable transaction: committed on leaving, rolled back on any error."""
+        """One durable transaction: committed on leaving, rolled back on any error.
+
+        One inside another is part of it: nothing is durable before the outer one is.
+        """
+        if self._connection.in_transaction:
+            yield
+            return
         with self._watched(REFUSED, ADVICE):
             self._bound_log()
             self._connection.execute("BEGIN IMMEDIATE")

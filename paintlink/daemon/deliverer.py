@@ -167,7 +167,8 @@ class Deliverer:
         if route.pattern is not None:
             chosen = replace(chosen, name_pattern=route.pattern)
         created = datetime.fromisoformat(job.created_at)
-        facts = JobFacts(job.token, created, job.origin, copy)
+        panels = self._journal.formulas.panels(job.id)
+        facts = JobFacts(job.token, created, job.origin, copy, panels)
         return render(job.spec, chosen, job=facts)
 
     def _publish(self, delivery: Delivery, token: str) -> None:

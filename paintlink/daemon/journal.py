@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sqlite3
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import AbstractContextManager
 from datetime import datetime
 from pathlib import Path
 from types import TracebackType
@@ -17,6 +18,7 @@ from paintlink.daemon.documents import (
     match_to_json,
     reading_from_json,
 )
+from paintlink.daemon.formulas import Formulas
 from paintlink.daemon.keeping import Keeping
 from paintlink.daemon.records import Event, InstrumentStatus, Job, JobState, Preview
 from paintlink.daemon.trail import Trail
@@ -46,6 +48,7 @@ class Journal:
         self.deliveries = Deliveries(self._db)
         self._arrivals = Arrivals(self._db)
         self.trail = Trail(self._db)
+        self.formulas = Formulas(self._db)
         self.keeping = Keeping(self._db)
 
     def __enter__(self) -> Self:
@@ -62,6 +65,10 @@ class Journal:
     def close(self) -> None:
         """Close the file; the journal stays whole without it."""
         self._db.close()
+
+    def transaction(self) -> AbstractContextManager[None]:
+        """Everything done inside becomes durable together, or not at all."""
+        return self._db.transaction()
 
     # Intake
 

@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 
 from paintlink.config import Settings
 from paintlink.daemon.deliverer import Deliverer
+from paintlink.daemon.formulation import Booth
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.pipeline import match, open_routes, specify
 from paintlink.daemon.records import Job
@@ -45,6 +46,7 @@ class Line:
         self._journal = journal
         self._settings = settings
         self._table = table
+        self._booth = Booth(journal, settings.formulation, settings.answering_route)
         self._deliverer = Deliverer(
             journal, settings.routes, formats, clock=clock, without=others
         )
@@ -75,6 +77,10 @@ class Line:
         job = self._journal.waiting("specified")
         if job is None or job.spec is None:
             return False
+        root = self._booth.panel_of(job)
+        if root is not None:
+            self._booth.judge(job, root)
+            return True
         try:
             spec, matches = match(job.spec, self._table, self._settings.snap)
         except InputError as error:

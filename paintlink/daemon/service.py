@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 
 from paintlink.config import Settings
 from paintlink.daemon.deliverer import Deliverer
+from paintlink.daemon.formulation import AnswerWorker
 from paintlink.daemon.hints import Hints, Watcher
 from paintlink.daemon.inbox import InboxWorker
 from paintlink.daemon.instruments import InstrumentWorker, NameSample, default_sample
@@ -164,6 +165,8 @@ class Service:
         self._line = Worker("line", make_step, stop=self.stopped, idle_s=1.0)
         self._deliverers = [self._make_deliverer(name) for name in served]
         self._workers += self._deliverers
+        if self.settings.formulation.enabled:
+            self._workers.append(self._make_answers())
         return self._line
 
     def _make_deliverer(self, route: str) -> Worker:
@@ -192,6 +195,25 @@ class Service:
                 self._hints.watch(one.folder, worker.wake)
         return worker
 
+    def _make_answers(self) -> Worker:
+        """Answers belong to the line: its program, its folder, its thread."""
+        folder = self.settings.answers_folder
+        folders = InboxFolders.below(
+            self.settings.site_folder, folder, within="answers"
+        )
+        return self._make_watch(
+            "answers",
+            folders,
+            lambda journal, inbox: (
+                AnswerWorker(
+                    journal,
+                    inbox,
+                    self.settings.formulation,
+                    self.settings.answering_route,
+                ).step
+            ),
+        )
+
     def _make_render(self) -> Worker:
         def make_step() -> Callable[[], bool]:
             journal = Journal(self.settings.journal_path)
@@ -203,27 +225,43 @@ class Service:
 
     def _make_intake(self) -> Worker:
         rules = self.settings.inbox
-        folders = InboxFolders.below(self.settings.site_folder, rules.folder)
+        return self._make_watch(
+            "inbox",
+            InboxFolders.below(self.settings.site_folder, rules.folder),
+            lambda journal, inbox: (
+                InboxWorker(journal, inbox, finish=rules.finish).step
+            ),
+            share=rules.share,
+        )
+
+    def _make_watch(
+        self,
+        name: str,
+        folders: InboxFolders,
+        make: Callable[[Journal, Inbox], Callable[[], bool]],
+        *,
+        share: bool = False,
+    ) -> Worker:
+        """A thread that takes files from a folder."""
+        rules = self.settings.inbox
         inbox = Inbox(
             folders,
             quiet_s=rules.quiet_s,
             max_bytes=rules.max_bytes,
             clock=time.monotonic,
-            share=rules.share,
+            share=share,
             patience_s=PATIENCE * rules.quiet_s,
         )
-
         try:
             folders.create()
         except OSError as error:
-            log.warning("%s; the inbox waits until it can be made", error)
+            log.warning("%s; %s waits until it can be made", error, name)
 
         def make_step() -> Callable[[], bool]:
-            journal = Journal(self.settings.journal_path)
-            worker = InboxWorker(journal, inbox, finish=rules.finish)
+            take = make(Journal(self.settings.journal_path), inbox)
 
             def step() -> bool:
-                worked = worker.step()
+                worked = take()
                 if worked:
                     self._wake_line()
                 return worked
@@ -231,9 +269,9 @@ class Service:
             return step
 
         def wait_s() -> float:
-            poll_s = min(rules.poll_s, SHARE_POLL_S) if rules.share else rules.poll_s
+            poll_s = min(rules.poll_s, SHARE_POLL_S) if share else rules.poll_s
             return min(poll_s, SETTLING_S) if inbox.unsettled else poll_s
 
-        worker = Worker("inbox", make_step, stop=self.stopped, idle_s=wait_s)
-        self._hints.watch(rules.folder, worker.wake)
+        worker = Worker(name, make_step, stop=self.stopped, idle_s=wait_s)
+        self._hints.watch(folders.inbox, worker.wake)
         return worker

@@ -14,6 +14,7 @@ from paintlink.formulation.judging import (
     mean_error,
     require_fitting,
 )
+from paintlink.formulation.plot import plot_convergence
 from paintlink.formulation.values import Answer, Component, Formula, Panel, Proposal
 
 __all__ = [
@@ -30,6 +31,7 @@ __all__ = [
     "convergence",
     "errors_per_angle",
     "mean_error",
+    "plot_convergence",
     "read_answer",
     "require_fitting",
     "schema_path",

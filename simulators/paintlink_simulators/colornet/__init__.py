@@ -10,11 +10,14 @@ from paintlink_simulators.colornet.formulation import (
     formulate,
 )
 from paintlink_simulators.colornet.target import Target
+from paintlink_simulators.colornet.watch import Book, Watch
 
 __all__ = [
     "Attempt",
+    "Book",
     "Formulation",
     "Target",
+    "Watch",
     "adjusted",
     "best_attempt",
     "correct",

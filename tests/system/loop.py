@@ -1,0 +1,178 @@
+"""The formulation loop with everything real but the paint and the instrument.
+
+Journal, line, folders and files are the product's; the formulation software is the
+stand-in, which sees nothing but the files; panels come from a virtual booth.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+
+from paintlink.config import (
+    FormulationSettings,
+    InboxSettings,
+    PreviewSettings,
+    RouteSettings,
+    Settings,
+    SiteSettings,
+    StateSettings,
+)
+from paintlink.daemon.formulation import AnswerWorker, Booth
+from paintlink.daemon.journal import Journal
+from paintlink.daemon.line import Line
+from paintlink.daemon.records import Job
+from paintlink.export import load_formats
+from paintlink.intake import Inbox, InboxFolders
+from paintlink.model import (
+    Geometry,
+    Instrument,
+    Measurement,
+    PaintTable,
+    Reading,
+    Spectra,
+)
+from paintlink_simulators.colornet import Target, Watch
+from paintlink_simulators.paint import Formula, Panel, Repeatability, SprayBooth, noisy
+from tests.simulators.colornet.panels import ANGLES, Book
+
+NOON = datetime(2026, 11, 25, 12, 0, tzinfo=UTC)
+
+
+class Shelf:
+    """Formulas by paint code, as ColorNet has them; ColorSnap has their colours."""
+
+    def __init__(self, book: Book) -> None:
+        self.book = book
+        self.codes = tuple(f"VP{number:05d}" for number in range(len(book.formulas)))
+
+    def starts(self, code: str, target: Target) -> Sequence[Formula]:
+        return [
+            self.book.formulas[self.codes.index(code)],
+            *self.book.nearest(target.lab),
+        ][:3]
+
+    def table(self) -> PaintTable:
+        number = len(self.codes)
+        return PaintTable(
+            library="virtual",
+            generation="1",
+            synthetic=True,
+            observer="10",
+            ids=np.arange(number),
+            codes=self.codes,
+            names=self.codes,
+            finishes=("unknown",) * number,
+            angles_deg=tuple(ANGLES.tolist()),
+            lab=self.book.lab,
+        )
+
+
+class LoopShop:
+    """A shop with formulation software and a booth, whose clock the test moves."""
+
+    def __init__(
+        self,
+        folder: Path,
+        book: Book,
+        booth: SprayBooth,
+        rules: FormulationSettings,
+    ) -> None:
+        self.folder = folder
+        for name in ("colornet", "taken", "answers"):
+            (folder / name).mkdir(parents=True)
+        self.now_s = 0.0
+        self.booth = booth
+        self.settings = Settings(
+            site=SiteSettings(folder=folder),
+            state=StateSettings(folder=folder / "state"),
+            inbox=InboxSettings(folder=folder / "inbox"),
+            routes=(
+                RouteSettings(
+                    name="colornet",
+                    folder=folder / "colornet",
+                    format="colornet",
+                    accept=("real", "simulated"),
+                ),
+            ),
+            formulation=rules,
+            preview=PreviewSettings(enabled=False),
+        )
+        shelf = Shelf(book)
+        self.journal = Journal(self.settings.journal_path)
+        self.line = Line(
+            self.journal,
+            self.settings,
+            table=shelf.table(),
+            formats=load_formats(),
+            clock=lambda: self.now_s,
+        )
+        self.watch = Watch(
+            folder / "colornet", folder / "taken", folder / "answers", shelf
+        )
+        self.answers = AnswerWorker(self.journal, self._inbox(), rules, "colornet")
+        self.judge = Booth(self.journal, rules, "colornet")
+
+    def measure(
+        self, panel: Panel, sample: str, noise: Repeatability, seed: int
+    ) -> Job:
+        """The job of one reading, as far as the line gets with it."""
+        rng = np.random.default_rng(seed)
+        measurement = Measurement(
+            geometries=tuple(Geometry(angle) for angle in ANGLES.tolist()),
+            spectra=Spectra(
+                panel.wavelengths_nm, noisy(panel, rng, noise).factors_at(ANGLES)
+            ),
+            raw=sample.encode(),
+        )
+        instrument = Instrument("Virtual", "V3", "1")
+        reading = Reading(measurement, instrument, datetime.now(UTC), "simulated")
+        reading = replace(reading, sample=sample)
+        token = self.journal.accept_reading(reading, source="bench")
+        self.drain()
+        return self.job(token)
+
+    def formulate(self) -> None:
+        """Let the formulation software answer everything that lies there."""
+        while self.watch.step():
+            pass
+        self.take_answers()
+
+    def take_answers(self) -> None:
+        self.answers.step()
+        self.now_s += 5.0
+        while self.answers.step():
+            pass
+
+    def spray(self, job: Job) -> Panel:
+        proposal = self.journal.formulas.open_proposal(job.id)
+        assert proposal is not None
+        assert proposal.answer.proposal is not None
+        components = proposal.answer.proposal.formula.components
+        return self.booth.spray({one.toner: one.parts for one in components})
+
+    def drain(self) -> None:
+        while self.line.step():
+            pass
+
+    def job(self, token: str) -> Job:
+        job = self.journal.job(token)
+        assert job is not None
+        return job
+
+    def kinds(self, job: Job) -> list[str]:
+        return [event.kind for event in self.journal.events(job)]
+
+    def states(self, job: Job) -> list[str]:
+        return [one.state for one in self.journal.formulas.of_job(job.id)]
+
+    def _inbox(self) -> Inbox:
+        folders = InboxFolders.below(
+            self.folder, self.settings.answers_folder, within="answers"
+        )
+        folders.create()
+        return Inbox(folders, quiet_s=1.0, max_bytes=100_000, clock=lambda: self.now_s)
