@@ -22,6 +22,7 @@ COMMANDS = {
     "design": "design",
     "devices": "devices",
     "export": "export",
+    "graph": "graph",
     "import": "import_",
     "formulation": "formulation",
     "jobs": "jobs",

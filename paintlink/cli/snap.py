@@ -1,9 +1,9 @@
-"""`paintlink snap`: the nearest known paints."""
+"""`paintlink snap`: the nearest known paints, of one target or of thousands."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -11,20 +11,21 @@ from paintlink.cli.output import json_option, match_document, print_json, print_
 
 if TYPE_CHECKING:
     from paintlink.config import SnapSettings
-    from paintlink.model import ColorSpec, Finish, Match
+    from paintlink.model import ColorSpec, Finish, Match, PaintTable
+    from paintlink.snap import Answer, Options
 
 BAND_COLORS = {"green": "green", "amber": "yellow", "red": "red"}
+GRAPH_MATCHES = 10
 
 
 @click.command("snap", short_help="Find the nearest known paints.")
-@click.argument("spec", type=click.Path(path_type=Path))
+@click.argument("target", type=click.Path(path_type=Path))
 @click.option("-k", "--top", default=5, show_default=True, help="How many paints.")
 @click.option(
     "-m",
     "--metric",
-    default="cie76",
-    show_default=True,
-    help="Difference formula: cie76 (the paper's), ciede2000, cie94, cmc, din99.",
+    help="Difference formula: cie76 (the paper's), ciede2000, cie94, cmc, din99, "
+    "din6175. By default the configured one, cie76.",
 )
 @click.option(
     "--finish",
@@ -33,45 +34,153 @@ BAND_COLORS = {"green": "green", "amber": "yellow", "red": "red"}
     type=click.Choice(["solid", "metallic", "pearl"]),
     help="Only paints of this finish; may be repeated.",
 )
+@click.option(
+    "--angles",
+    help="Aspecular angles to compare at, such as 25,45,75; by default 15,45,110 "
+    "where both sides have them.",
+)
+@click.option(
+    "--graph",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Draw target, nearest paints and library in Lab space: .png, .svg, or .json "
+    "for plotly.",
+)
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Of many targets: file for the lists; - for standard output.",
+)
+@click.option(
+    "--config",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Configuration file with the limits of the diagnosis.",
+)
 @json_option
 def command(
-    spec: Path, top: int, metric: str, finishes: tuple[Finish, ...], as_json: bool
+    *,
+    target: Path,
+    top: int,
+    metric: str | None,
+    finishes: tuple[Finish, ...],
+    angles: str | None,
+    graph: Path | None,
+    output: Path | None,
+    config: Path | None,
+    as_json: bool,
 ) -> None:
-    """Find the known paints nearest to the colour specification SPEC.
+    """Find the known paints nearest to TARGET, a colour specification.
 
     Ranked by the sum of the colour differences at the aspecular angles 15, 45 and 110
     degrees; ties go to the smaller paint id. Differences are target minus paint:
     "face 1.2 lighter" means that the target is lighter than the paint.
+
+    TARGET may also be a folder of specifications, or a table (.csv) with one colour in
+    each row and columns like code, L15, a15, b15: then a CSV table of the lists is
+    written, or JSON Lines with --json.
     """
-    from paintlink.library import Filter, bundled
-    from paintlink.snap import nearest
+    from paintlink.library import bundled
+
+    settings = _settings(config)
+    options = options_of(settings, top=top, metric=metric, angles=_angles(angles))
+    table = bundled()
+    mask = _mask(table, finishes)
+    if target.is_dir() or target.suffix.lower() in {".csv", ".tsv", ".txt"}:
+        from paintlink.cli.snap_many import snap_many
+
+        if graph is not None:
+            msg = "--graph draws one target: name one specification"
+            raise click.UsageError(msg)
+        snap_many(target, table, options, mask, output=output, as_json=as_json)
+        return
+    if output is not None:
+        msg = "--output is for a folder or a table of targets: leave it out"
+        raise click.UsageError(msg)
+    from paintlink.snap import answer
     from paintlink.spec import read_spec_file
 
-    target = read_spec_file(spec)
-    table = bundled()
-    mask = Filter(finishes=finishes).apply(table) if finishes else None
-    matches = nearest(target, table, top=top, formula=metric, mask=mask)
+    spec = read_spec_file(target)
+    found = answer(spec, table, options, mask)
     if as_json:
-        print_json([match_document(match) for match in matches])
-        return
-    print_matches(target, matches)
+        print_json(answer_document(found))
+    else:
+        print_answer(spec, found, settings)
+    if graph is not None:
+        write_graph(graph, spec, found.matches, table)
+
+
+def options_of(
+    settings: SnapSettings,
+    *,
+    top: int,
+    metric: str | None = None,
+    angles: tuple[float, ...] | None = None,
+) -> Options:
+    """What the configuration and the command line ask for."""
+    from paintlink.snap import Limits, Options
+
+    return Options(
+        top=top,
+        formula=metric or settings.formula,
+        angles_deg=angles,
+        repeatability=settings.repeatability,
+        limits=Limits(
+            outside=settings.outside,
+            sparse=settings.sparse,
+            too_chromatic=settings.too_chromatic,
+            off_radial=settings.off_radial,
+            face_and_flop=settings.face_and_flop,
+            flop_index=settings.flop_index,
+        ),
+    )
+
+
+def print_answer(
+    spec: ColorSpec, found: Answer, limits: SnapSettings | None = None
+) -> None:
+    """Print the list, how sure its first rank is, and what is wrong with it."""
+    second = (found.second_formula, found.second_ranks)
+    print_matches(spec, found.matches, limits, second)
+    related = [
+        f"{name} {match.code}"
+        for name, match in found.relations.items()
+        if name != "closest"
+    ]
+    if related:
+        click.echo(f"nearest that is: {', '.join(related)}")
+    for ranks in found.variants:
+        click.echo(f"variants of one paint: ranks {', '.join(map(str, ranks))}")
+    sure = found.confidence
+    margin = "" if sure.margin is None else f", {sure.margin:.2f} ahead of the second"
+    click.echo(
+        f"{found.matches[0].code} stays first in {sure.stays_first:.0%} of readings "
+        f"repeated within ΔE {sure.repeatability:g}{margin}"
+    )
+    from paintlink.snap import sentences
+
+    for sentence in sentences(found.findings):
+        click.secho(f"! {sentence}", fg="yellow")
 
 
 def print_matches(
-    target: ColorSpec, matches: tuple[Match, ...], limits: SnapSettings | None = None
+    target: ColorSpec,
+    matches: tuple[Match, ...],
+    limits: SnapSettings | None = None,
+    second: tuple[str, tuple[int | None, ...]] | None = None,
 ) -> None:
     """Print a ranked list with its conditions, each code in its traffic light."""
-    from paintlink.config import SnapSettings
     from paintlink.snap import band
+    from paintlink.snap.verdict import AMBER_UP_TO, GREEN_UP_TO
 
-    limits = limits or SnapSettings()
+    green = limits.green if limits else GREEN_UP_TO
+    amber = limits.amber if limits else AMBER_UP_TO
 
     def _color(match: Match) -> str:
-        colour = band(match, green_up_to=limits.green, amber_up_to=limits.amber)
-        return BAND_COLORS[colour]
+        return BAND_COLORS[band(match, green_up_to=green, amber_up_to=amber)]
 
     best = matches[0]
     angles = [f"{angle:g}" for angle in best.angles_deg]
+    ranks = second[1] if second else (None,) * len(matches)
     rows = [
         (
             str(match.rank),
@@ -80,13 +189,15 @@ def print_matches(
             match.finish,
             f"{match.total:.2f}",
             *(f"{one.dE:.2f}" for one in match.differences),
+            *(["-" if rank is None else str(rank)] if second else []),
             match.words,
         )
-        for match in matches
+        for match, rank in zip(matches, ranks, strict=True)
     ]
     headings = [f"at {angle}" for angle in angles]
+    beside = [f"by {second[0]}"] if second else []
     print_table(
-        ("rank", "code", "name", "finish", "total", *headings, "in words"),
+        ("rank", "code", "name", "finish", "total", *headings, *beside, "in words"),
         rows,
         title=f"Starting points for {target.name!r}",
     )
@@ -94,3 +205,71 @@ def print_matches(
         f"{best.formula}, sum over {'/'.join(angles)} degrees, D65/{best.observer}, "
         f"{best.library}, generation {best.generation}"
     )
+    if best.estimated_deg:
+        estimated = "/".join(f"{angle:g}" for angle in best.estimated_deg)
+        click.echo(f"estimated: the library is interpolated at {estimated} degrees")
+
+
+def answer_document(found: Answer) -> dict[str, Any]:
+    """An answer as a JSON document."""
+    from dataclasses import asdict
+
+    return {
+        "matches": [
+            {**match_document(match), "second_rank": rank}
+            for match, rank in zip(found.matches, found.second_ranks, strict=True)
+        ],
+        "second_formula": found.second_formula,
+        "relations": {name: m.code for name, m in found.relations.items()},
+        "variants": found.variants,
+        "confidence": asdict(found.confidence),
+        "findings": [{**asdict(one), "told": one.told} for one in found.findings],
+    }
+
+
+def write_graph(
+    path: Path, spec: ColorSpec, matches: tuple[Match, ...], table: PaintTable
+) -> None:
+    """Write the 3D graph as a picture, or as a document for plotly."""
+    from paintlink.cli.files import write_new
+    from paintlink.snap.graph import graph, plotly
+
+    suffix = path.suffix.lower()
+    drawn = graph(spec, matches[:GRAPH_MATCHES], table)
+    if suffix == ".json":
+        import json
+
+        data = json.dumps(plotly(drawn), allow_nan=False).encode()
+    elif suffix in {".png", ".svg"}:
+        from paintlink.snap.picture import picture
+
+        data = picture(drawn, format="png" if suffix == ".png" else "svg")
+    else:
+        msg = f"{path}: the graph is PNG, SVG or JSON: end the name in .png"
+        raise click.UsageError(msg)
+    write_new(path, data, replace=True)
+    click.echo(f"wrote {path}", err=True)
+
+
+def _mask(table: PaintTable, finishes: tuple[Finish, ...]) -> Any:
+    if not finishes:
+        return None
+    from paintlink.library import Filter
+
+    return Filter(finishes=finishes).apply(table)
+
+
+def _settings(config: Path | None) -> SnapSettings:
+    from paintlink.cli.state import settings_of
+
+    return settings_of(config).snap
+
+
+def _angles(text: str | None) -> tuple[float, ...] | None:
+    if text is None:
+        return None
+    try:
+        return tuple(float(part) for part in text.replace("/", ",").split(","))
+    except ValueError as error:
+        msg = f"--angles {text!r}: write numbers with commas between, such as 25,45,75"
+        raise click.UsageError(msg) from error

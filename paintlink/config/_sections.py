@@ -239,6 +239,45 @@ class SnapSettings:
         number(0, 100),
         Key("Up to this mean difference it is shown in amber, above it in red."),
     ] = 3.0
+    repeatability: Annotated[
+        float,
+        number(0, 10),
+        Key(
+            "Mean difference between a reading of your instrument and its repetition. "
+            "Says how sure the first rank is."
+        ),
+    ] = 0.1
+    outside: Annotated[
+        float,
+        number(0, 200),
+        Key(
+            "Tell when a colour lies farther than this outside all colours of the "
+            "library, in Lab units. The next keys say when to tell other problems."
+        ),
+    ] = 2.0
+    sparse: Annotated[
+        float,
+        number(0, 200),
+        Key("The ten nearest paints differ by more than this per angle."),
+    ] = 12.0
+    too_chromatic: Annotated[
+        float, number(0, 200), Key("The nearest paint lacks more chroma than this.")
+    ] = 3.0
+    off_radial: Annotated[
+        float,
+        number(0, 200),
+        Key("The hue travels farther off the radial line than the nearest paint's."),
+    ] = 4.0
+    face_and_flop: Annotated[
+        float,
+        number(0, 200),
+        Key("Brighter face and darker flop, or the other way, by more than this."),
+    ] = 4.0
+    flop_index: Annotated[
+        float,
+        number(0, 100),
+        Key("The Flop Index differs by more than this: the finish looks different."),
+    ] = 3.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

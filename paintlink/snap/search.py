@@ -106,10 +106,7 @@ def _nearest(
     top: int,
     mask: Mask | None,
 ) -> tuple[Match, ...]:
-    if top < 1:
-        msg = f"asked for the {top} nearest paints: ask for at least 1"
-        raise LibraryError(msg)
-    _require_paints(table, mask)
+    require_paints(table, mask, top)
     index = INDEXES.of(table, conditions)
     target = spec.lab(*conditions.angles_deg)
     comparison = Comparison(target, conditions.angles_deg, formula)
@@ -122,7 +119,17 @@ def _nearest(
     return _matches(table, index, ranked, comparison)
 
 
-def _require_paints(table: PaintTable, mask: Mask | None) -> None:
+def require_paints(table: PaintTable, mask: Mask | None, top: int) -> None:
+    """Refuse a question that no paint can answer.
+
+    Raises
+    ------
+    LibraryError
+        When none is asked for, none may be returned, or the filter is of another size.
+    """
+    if top < 1:
+        msg = f"asked for the {top} nearest paints: ask for at least 1"
+        raise LibraryError(msg)
     if mask is not None and mask.shape != (len(table),):
         msg = (
             f"the filter was made for {mask.size} paints, but {table.library} has "

@@ -43,7 +43,8 @@ def stock_of(table: PaintTable, conditions: Conditions) -> Stock:
     LibraryError
         When no paint has them all.
     """
-    planes = _planes(table, conditions)
+    planes = lab_at(table, conditions.angles_deg).transpose(1, 2, 0)
+    planes = np.ascontiguousarray(planes)
     complete = np.isfinite(planes).all(axis=(0, 1))
     if len(table) and not complete.any():
         msg = (
@@ -57,15 +58,16 @@ def stock_of(table: PaintTable, conditions: Conditions) -> Stock:
     return Stock(planes, np.asarray(table.ids, dtype=np.int64)[rows], rows)
 
 
-def _planes(table: PaintTable, conditions: Conditions) -> FloatArray:
-    if conditions.estimated_deg:
-        curve = fit(table.angles_deg, table.lab, default_model(table.angles_deg))
-        lab = curve(conditions.angles_deg)
-        measured = [a for a in conditions.angles_deg if a in table.angles_deg]
-        for angle in measured:
-            at = table.angles_deg.index(angle)
-            lab[:, conditions.angles_deg.index(angle)] = table.lab[:, at]
-    else:
-        columns = [table.angles_deg.index(angle) for angle in conditions.angles_deg]
-        lab = np.moveaxis(np.moveaxis(table.lab, 0, 2)[columns], 2, 0)
-    return np.ascontiguousarray(np.moveaxis(lab, 0, 2))
+def lab_at(table: PaintTable, angles_deg: tuple[float, ...]) -> FloatArray:
+    """Lab of all paints at some angles, shape (n, angles, 3).
+
+    Interpolated where the table was not measured; the others keep their bits.
+    """
+    columns = [i for i, angle in enumerate(angles_deg) if angle in table.angles_deg]
+    measured = [table.angles_deg.index(angles_deg[i]) for i in columns]
+    if len(columns) == len(angles_deg):
+        return table.lab[:, measured]
+    curve = fit(table.angles_deg, table.lab, default_model(table.angles_deg))
+    lab = curve(angles_deg)
+    lab[:, columns] = table.lab[:, measured]
+    return lab

@@ -110,41 +110,6 @@ def test_export_into_missing_folder_says_create_it(run: Run, spec_file: Path) ->
     assert "create it" in done.stderr
 
 
-def test_snap_ranks_and_states_its_conditions(run: Run, spec_file: Path) -> None:
-    done = run("snap", spec_file, "-k", "3", "--json")
-
-    matches = json.loads(done.stdout)
-    totals = [match["total"] for match in matches]
-    assert totals == sorted(totals)
-    assert len(totals) == 3
-    assert matches[0]["angles_deg"] == [15.0, 45.0, 110.0]
-    assert matches[0]["formula"] == "cie76"
-    assert matches[0]["observer"] == "10"
-    assert "synthetic" in matches[0]["library"]
-
-
-def test_snap_table_says_where_it_comes_from(run: Run, spec_file: Path) -> None:
-    done = run("snap", spec_file)
-
-    assert "cie76, sum over 15/45/110 degrees, D65/10" in done.stdout
-    assert "synthetic" in done.stdout
-    assert "Starting points for 'grey'" in done.stdout
-
-
-def test_snap_filter_keeps_only_that_finish(run: Run, spec_file: Path) -> None:
-    done = run("snap", spec_file, "--finish", "pearl", "--json")
-
-    assert {match["finish"] for match in json.loads(done.stdout)} == {"pearl"}
-
-
-def test_snap_with_unknown_formula_lists_them(run: Run, spec_file: Path) -> None:
-    done = run("snap", spec_file, "--metric", "dE3000")
-
-    assert done.returncode == 3
-    assert "unknown difference formula 'dE3000'" in done.stderr
-    assert "ciede2000" in done.stderr
-
-
 def test_preview_writes_a_picture(run: Run, spec_file: Path, tmp_path: Path) -> None:
     done = run(
         "preview", spec_file, "-o", "out.png", "--size", "128", "--backend", "cpu"

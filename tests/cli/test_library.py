@@ -57,7 +57,7 @@ def test_shown_paint_can_be_used_as_a_specification(run: Run, tmp_path: Path) ->
     snapped = run("snap", "green.xml", "-k", "1", "--json")
 
     assert read_spec_file(tmp_path / "green.xml").code == "GM027"
-    (match,) = json.loads(snapped.stdout)
+    (match,) = json.loads(snapped.stdout)["matches"]
     assert (match["code"], match["total"]) == ("GM027", 0.0)
 
 

@@ -1,0 +1,1 @@
+"""How the forecast learns what the virtual paint system can make."""
