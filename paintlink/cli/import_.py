@@ -21,6 +21,8 @@ Examples:
   paintlink import --dry-run readings.xlsx     look first
   paintlink import *.cxf                       send everything down the line
   paintlink import readings.json --to colours  specifications as files
+  paintlink import table.csv --make-profile -o shop.toml
+  paintlink import table.csv --profile shop.toml
 
 \b
 Exit codes:
@@ -57,6 +59,22 @@ Exit codes:
 @click.option("--geometry", default="", help="Geometry of values that name none.")
 @click.option("--data-mode", default="", help="Mode to take from files with several.")
 @click.option("--time-zone", help="Zone of times without one, such as Europe/Berlin.")
+@click.option(
+    "--profile",
+    "profiles",
+    multiple=True,
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Mapping of a table; may be repeated.",
+)
+@click.option(
+    "--make-profile", is_flag=True, help="Propose a mapping for one table and exit."
+)
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="File for the proposed mapping; standard output when left out.",
+)
 @json_option
 @config_option
 def command(
@@ -66,6 +84,8 @@ def command(
     folder: Path | None,
     format_id: str,
     list_formats: bool,
+    make_profile: bool,
+    output: Path | None,
     as_json: bool,
     config: Path | None,
     **hints: Any,
@@ -82,6 +102,9 @@ def command(
     if not files:
         msg = "name the files to import, or see `paintlink import --list-formats`"
         raise click.UsageError(msg)
+    if make_profile:
+        _make_profile(files, output)
+        return
     settings = settings_of(config)
     options = _options(settings, **hints)
     reports = _reports(files, format_id, options)
@@ -107,10 +130,53 @@ def _list_formats(*, as_json: bool) -> None:
         click.secho(f"left out: {fault}", fg="red", err=True)
 
 
-def _options(settings: Settings, *, time_zone: str | None, **hints: Any) -> Options:
-    from paintlink.intake import Options
+def _make_profile(files: Sequence[Path], output: Path | None) -> None:
+    from paintlink.cli.files import write_new
+    from paintlink.intake import open_source, propose
 
-    return Options(zone=_zone(time_zone) if time_zone else None, **hints)
+    if len(files) != 1:
+        msg = "--make-profile looks at one table: name one file"
+        raise click.UsageError(msg)
+    proposal = propose(open_source(files[0]))
+    if output is None:
+        click.echo(proposal.text, nl=False)
+    else:
+        write_new(output, proposal.text.encode())
+        click.echo(f"wrote {output}", err=True)
+    for doubt in proposal.doubts:
+        click.echo(f"check {doubt}", err=True)
+
+
+def _options(
+    settings: Settings,
+    *,
+    time_zone: str | None,
+    geometry: str,
+    profiles: Sequence[Path],
+    **hints: Any,
+) -> Options:
+    from paintlink.intake import Options, load_profile, load_profiles
+
+    return Options(
+        zone=_zone(time_zone) if time_zone else None,
+        geometry=_geometry(geometry),
+        profiles=(
+            *map(load_profile, profiles),
+            *load_profiles(settings.profiles_folder),
+        ),
+        **hints,
+    )
+
+
+def _geometry(code: str) -> str:
+    from paintlink.errors import ConfigError, InputError
+    from paintlink.intake.geometries import read_geometry
+
+    try:
+        return read_geometry(code).code if code else ""
+    except InputError as error:
+        msg = f"--geometry: {error}"
+        raise ConfigError(msg) from error
 
 
 def _zone(name: str) -> Any:

@@ -85,6 +85,12 @@ class Settings:
         return self.state.folder / "previews"
 
     @property
+    def profiles_folder(self) -> Path | None:
+        """Folder ``profiles`` beside the configuration file; None without one."""
+        folder = self.source.parent / "profiles" if self.source else None
+        return None if folder is None or is_absent(folder) else folder
+
+    @property
     def formats_folder(self) -> Path | None:
         """Folder ``formats`` beside the configuration file; None when there is none."""
         folder = self.source.parent / "formats" if self.source else None

@@ -19,7 +19,7 @@ from paintlink.daemon.render import Render
 from paintlink.daemon.roles import ROLES, Role, RoleLocks
 from paintlink.daemon.worker import Worker
 from paintlink.export import load_formats
-from paintlink.intake import Inbox, InboxFolders
+from paintlink.intake import Inbox, InboxFolders, load_profiles
 from paintlink.library import bundled
 
 log = logging.getLogger(__name__)
@@ -224,12 +224,13 @@ class Service:
         return self._render
 
     def _make_intake(self) -> Worker:
+        profiles = load_profiles(self.settings.profiles_folder)
         rules = self.settings.inbox
         return self._make_watch(
             "inbox",
             InboxFolders.below(self.settings.site_folder, rules.folder),
             lambda journal, inbox: (
-                InboxWorker(journal, inbox, finish=rules.finish).step
+                InboxWorker(journal, inbox, finish=rules.finish, profiles=profiles).step
             ),
             share=rules.share,
         )

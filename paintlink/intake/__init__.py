@@ -11,10 +11,12 @@ from paintlink.intake.folders import InboxFolders, require_share
 from paintlink.intake.inbox import Claim, Inbox, Outcome
 from paintlink.intake.mounts import Mount, mount_of
 from paintlink.intake.profile import Profile
+from paintlink.intake.profile_file import load_profile, load_profiles
 from paintlink.intake.reading import Import, Item, read_any
 from paintlink.intake.registry import importer_failures, importers
 from paintlink.intake.safe import BusyFileError
-from paintlink.intake.source import Source
+from paintlink.intake.source import Source, open_source
+from paintlink.intake.wizard import Proposal, propose
 
 __all__ = [
     "BusyFileError",
@@ -31,10 +33,15 @@ __all__ = [
     "Options",
     "Outcome",
     "Profile",
+    "Proposal",
     "Source",
     "importer_failures",
     "importers",
+    "load_profile",
+    "load_profiles",
     "mount_of",
+    "open_source",
+    "propose",
     "read_any",
     "require_share",
 ]

@@ -8,15 +8,14 @@ from functools import lru_cache
 
 import numpy as np
 
-from paintlink.color import cie76, reflectance_to_lab
+from paintlink.color import FACTOR_RANGE, cie76, reflectance_to_lab
 from paintlink.errors import InputError
-from paintlink.intake.conditions import Conditions
-from paintlink.intake.contract import Scale
+from paintlink.intake.conditions import Conditions, Scale
 from paintlink.intake.geometries import side_of
 from paintlink.intake.source import Source
 from paintlink.model import FloatArray, Geometry, LabValues, Spectra
 
-HIGHEST_FACTOR = 20.0
+LOWEST_FACTOR, HIGHEST_FACTOR = FACTOR_RANGE
 # Away from the gloss no paint reflects more than a white surface, however it sparkles.
 HIGHEST_FLOOR = 2.0
 DARK_PERCENT = 2.0
@@ -172,6 +171,14 @@ def _lacking(
 def _require_scale(
     source: Source, rows: Sequence[Row], factors: FloatArray, scale: Scale
 ) -> None:
+    lowest = factors.min(axis=1)
+    if (lowest < LOWEST_FACTOR).any():
+        index = int(lowest.argmin())
+        msg = (
+            f"reflectance of {100.0 * lowest[index]:.4g} % at "
+            f"{rows[index].geometry.code}: calibrate and measure again, or correct it"
+        )
+        raise source.fault(rows[index].where, msg)
     away = np.array([row.geometry.aspecular_deg >= 45.0 for row in rows])
     wrong = (factors.max(axis=1) > HIGHEST_FACTOR) | (
         away & (factors.min(axis=1) > HIGHEST_FLOOR)

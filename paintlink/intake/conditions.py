@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple, cast
+from typing import Literal, NamedTuple, cast
 
 from paintlink.errors import InputError
 from paintlink.instrument import quoted
 from paintlink.model import Illuminant, Observer
+
+Scale = Literal["fraction", "percent"]
+"""Of reflectance: 1 or 100 for the perfect diffuser."""
 
 _ILLUMINANTS = {
     "D65": "D65", "D50": "D50", "A": "A", "F11": "F11", "FL11": "F11", "TL84": "F11",

@@ -5,14 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from datetime import UTC, datetime, tzinfo
 from enum import IntEnum
-from typing import Literal, Protocol
+from typing import Protocol
 
+from paintlink.intake.conditions import Scale
 from paintlink.intake.profile import Profile
 from paintlink.intake.source import Source
 from paintlink.model import ColorSpec, Finish, Reading
-
-Scale = Literal["fraction", "percent"]
-
 
 NO_TIME = "no time of measurement in the file: the file's own time was taken"
 

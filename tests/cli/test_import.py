@@ -9,6 +9,7 @@ import pytest
 
 from paintlink.spec import read_spec_file
 from tests.cli.conftest import Run
+from tests.intake.fixtures.csv_table import wide
 from tests.intake.fixtures.mat12_xlsx import book, document, saved
 
 
@@ -113,3 +114,44 @@ def test_formats_are_listed(run: Run) -> None:
 
     assert done.returncode == 0
     assert "mat12_xlsx       X-Rite MA-T12 quality control workbook" in done.stdout
+
+
+def test_profile_is_proposed_and_then_used(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "table.csv").write_text(wide(), encoding="utf-8")
+    refused = run("import", "table.csv", "--dry-run")
+
+    made = run("import", "table.csv", "--make-profile", "-o", "shop.toml")
+    done = run("import", "table.csv", "--dry-run", "--profile", "shop.toml")
+
+    assert refused.returncode == 3
+    assert "make one with `paintlink import --make-profile`" in refused.stderr
+    assert made.returncode == 0
+    assert "check conditions: the headings do not say" in made.stderr
+    assert done.returncode == 0
+    assert done.stdout.count("can be imported") == 2
+
+
+def test_profiles_beside_the_configuration_are_found(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "table.csv").write_text(wide(), encoding="utf-8")
+    (tmp_path / "profiles").mkdir()
+    (tmp_path / "paintlink.toml").write_text(f'[site]\nfolder = "{tmp_path}/site"\n')
+    run("import", "table.csv", "--make-profile", "-o", "profiles/shop.toml")
+
+    done = run("import", "table.csv", "--dry-run", "--config", "paintlink.toml")
+
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.count("can be imported") == 2
+
+
+def test_profile_wizard_wants_one_file(run: Run, tmp_path: Path) -> None:
+    done = run("import", "a.csv", "b.csv", "--make-profile")
+
+    assert done.returncode == 2
+    assert "looks at one table: name one file" in done.stderr
+
+
+def test_impossible_geometry_option_is_a_wrong_call(run: Run, workbook: Path) -> None:
+    done = run("import", workbook, "--geometry", "sideways")
+
+    assert done.returncode == 2
+    assert "--geometry: geometry 'sideways' is not of the form" in done.stderr

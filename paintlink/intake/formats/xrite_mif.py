@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 from paintlink.errors import InputError
 from paintlink.intake.assembly import Row, Scales, assemble
+from paintlink.intake.conditions import Scale
 from paintlink.intake.contract import (
     NO_TIME,
     Certainty,
@@ -20,7 +21,6 @@ from paintlink.intake.contract import (
     Contents,
     ImporterInfo,
     Options,
-    Scale,
 )
 from paintlink.intake.geometries import read_geometry
 from paintlink.intake.ini import Entry, Section, number_list, sections
