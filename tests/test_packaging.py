@@ -11,6 +11,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 NEEDED = (
+    "paintlink/intake/profiles/paintlink_csv.toml",
     "paintlink/py.typed",
     "paintlink/spec/color-specification-1.xsd",
     "paintlink/export/formats/colornet.xslt",
@@ -74,4 +75,4 @@ def test_unpacked_wheel_works_away_from_checkout(wheel: Path, tmp_path: Path) ->
     )
 
     assert done.returncode == 0, done.stderr
-    assert done.stdout.startswith("6000 ['colornet', 'csv', 'json'] 31")
+    assert done.stdout.startswith("6000 ['colornet', 'csv', 'cxf3', 'json'] 31")
