@@ -9,11 +9,16 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from paintlink.errors import ConfigError
+from paintlink.model import FloatArray
 from paintlink_simulators._simulator import Clock
 from paintlink_simulators.paint import TYPICAL, Panel, Repeatability, noisy
 
 Condition = Literal["ready", "warming", "battery_low", "memory_full"]
 CONDITIONS: tuple[Condition, ...] = ("ready", "warming", "battery_low", "memory_full")
+Defect = Literal["none", "not_a_number", "impossible"]
+DEFECTS: tuple[Defect, ...] = ("none", "not_a_number", "impossible")
+IMPOSSIBLE_FACTOR = 20.0
+DEFECTIVE_BAND = 5
 
 WARM_UP_S = 60.0
 HOST_LINE_END = b"\r"
@@ -27,11 +32,14 @@ class CommonOptions:
     ----------
     condition
         What keeps it from measuring; a lamp has warmed up after `WARM_UP_S`.
+    defect
+        What its electronics make of the sixth band of a reading.
     """
 
     calibrated: bool = True
     plate_on: bool = False
     condition: Condition = "ready"
+    defect: Defect = "none"
     repeatability: Repeatability = TYPICAL
 
     def check(self, simulator: str, **choices: tuple[object, ...]) -> None:
@@ -42,7 +50,8 @@ class CommonOptions:
         ConfigError
             Naming the option and its choices.
         """
-        for option, known in {"condition": CONDITIONS, **choices}.items():
+        common = {"condition": CONDITIONS, "defect": DEFECTS}
+        for option, known in {**common, **choices}.items():
             value = getattr(self, option)
             if value not in known:
                 listed = ", ".join(map(repr, known))
@@ -163,10 +172,16 @@ class Instrument:
         warm = self._common.condition == "warming" and self.clock() >= self._warm_at
         return "ready" if warm else self._common.condition
 
-    def _look(self, aspecular_deg: tuple[float, ...]) -> Panel:
-        """The panel as one reading shows it at these angles."""
+    def _look(self, aspecular_deg: tuple[float, ...]) -> FloatArray:
+        """The reflectance factors one reading has at these angles, shape (m, 31)."""
         angles = np.array(aspecular_deg)
         seen = replace(
             self.panel, aspecular_deg=angles, factors=self.panel.factors_at(angles)
         )
-        return noisy(seen, self._rng, self._common.repeatability)
+        reading = noisy(seen, self._rng, self._common.repeatability).factors.copy()
+        match self._common.defect:
+            case "not_a_number":
+                reading[:, DEFECTIVE_BAND] = np.nan
+            case "impossible":
+                reading[:, DEFECTIVE_BAND] = IMPOSSIBLE_FACTOR
+        return reading

@@ -163,7 +163,7 @@ class ChnCr30(Instrument):
             self._percent = np.full(31, CAPPED_PERCENT)
             return
         gain = 1.0 if self._calibrated else SPOILED_GAIN
-        self._percent = 100.0 * gain * self._look(ANGLES).factors[0]
+        self._percent = 100.0 * gain * self._look(ANGLES)[0]
 
     def _stored(self, sub: int) -> tuple[Field, ...]:
         """What is written into the request for a part of the last reading."""

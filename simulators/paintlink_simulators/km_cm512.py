@@ -143,7 +143,7 @@ class KmCm512(Instrument):
         self._count = self._count % 99999 + 1
         full = self._condition == "memory_full"
         replies = [_reply("OK02" if full else "OK00", f"{self._count:05d}")]
-        for factors in self._look(ANGLES).factors:
+        for factors in self._look(ANGLES):
             spectrum = _reply("OK00", *map(_value, 100.0 * factors))
             replies += [spectrum, b"OK00" + REST.encode("ascii") + END]
         return self._first_of(replies)
@@ -171,6 +171,8 @@ class KmCm512(Instrument):
 
 
 def _value(percent: float) -> str:
+    if np.isnan(percent):
+        return "***.**"
     return f"{np.clip(percent, 0.0, LARGEST):06.2f}"
 
 

@@ -16,16 +16,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, Literal
 
 import numpy as np
 
 from paintlink.color import lab_to_lch, reflectance_to_lab
+from paintlink.model import FloatArray
 from paintlink_simulators._instrument import CommonOptions, Condition, Instrument
 from paintlink_simulators._simulator import Clock
-from paintlink_simulators.paint import Panel
+from paintlink_simulators.paint import WAVELENGTHS_NM, Panel
+from paintlink_simulators.paint.panel import MAX_FACTOR
 
 MODELS: Mapping[str, tuple[float, ...]] = MappingProxyType({
     "MA58": (25.0, 45.0, 75.0),
@@ -38,6 +40,7 @@ DUMP = re.compile(r"([0-9A-F]{4})([0-9A-F]{4})i")
 MEMORY_START = 0x2000
 SHORTEST_DUMP = 380
 WHITE = 32768
+NO_NUMBER = 0x7FFFFFFF
 RESET_S = 0.3
 STANDARD = 0.0
 REFUSALS: Mapping[Condition, str] = MappingProxyType({
@@ -187,31 +190,34 @@ class XriteMa(Instrument):
         )
 
     def _measured(self) -> bytes:
-        reading = self._look(MODELS[self._options.model])
-        counts = np.rint(reading.factors * WHITE).astype("<i4")
+        factors = np.nan_to_num(self._look(self._angles), nan=NO_NUMBER / WHITE)
+        counts = np.rint(factors * WHITE).astype("<i4")
         self._memory = counts.tobytes()
-        return self._report(replace(reading, factors=counts / WHITE))
+        return self._report(counts / WHITE)
 
-    def _report(self, reading: Panel) -> bytes:
-        rows = [*self._options.heading, *_spectral_rows(reading), *_color_rows(reading)]
+    def _report(self, factors: FloatArray) -> bytes:
+        colors = _color_rows(self._angles, factors)
+        rows = [*self._options.heading, *_spectral_rows(factors), *colors]
         return b"".join(map(self._line, rows))
+
+    @property
+    def _angles(self) -> tuple[float, ...]:
+        return MODELS[self._options.model]
 
     def _line(self, text: str) -> bytes:
         return (text + self._options.terminator).encode("latin-1")
 
 
-def _spectral_rows(reading: Panel) -> Iterator[str]:
-    for wavelength, factors in zip(
-        reading.wavelengths_nm, reading.factors.T, strict=True
-    ):
-        pairs = (f"{STANDARD:.2f} {100 * factor:.2f}" for factor in factors)
+def _spectral_rows(factors: FloatArray) -> Iterator[str]:
+    for wavelength, row in zip(WAVELENGTHS_NM, factors.T, strict=True):
+        pairs = (f"{STANDARD:.2f} {100 * factor:.2f}" for factor in row)
         yield f"{wavelength:.0f} {' '.join(pairs)}"
 
 
-def _color_rows(reading: Panel) -> Iterator[str]:
-    labs = reflectance_to_lab(reading.wavelengths_nm, reading.factors)
+def _color_rows(angles: tuple[float, ...], factors: FloatArray) -> Iterator[str]:
+    labs = reflectance_to_lab(WAVELENGTHS_NM, np.clip(factors, 0.0, MAX_FACTOR))
     for angle, lab, lch in zip(
-        reading.aspecular_deg, labs, np.nan_to_num(lab_to_lch(labs)), strict=True
+        angles, labs, np.nan_to_num(lab_to_lch(labs)), strict=True
     ):
         values = (*lab, *lch[1:])
         yield f"{angle:.0f} {' '.join(f'{value:.2f}' for value in values)}"

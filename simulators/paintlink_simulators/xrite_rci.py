@@ -249,7 +249,7 @@ class XriteRci(Instrument):
     def _take(self) -> None:
         if not self._model.usb:
             self._readings.clear()
-        self._readings.append(100.0 * self._look(ANGLES).factors[0])
+        self._readings.append(100.0 * self._look(ANGLES)[0])
         self._new = True
         self._polled = False
 
@@ -274,7 +274,7 @@ class XriteRci(Instrument):
         if form == "binary" and self._set[DATA_TYPE] == XYZ:
             return self._tristimulus(percent)
         if form == "binary" and self._set[NUMBER_FORMAT] == BINARY:
-            counts = np.clip(np.rint(percent * 65535.0 / 200.0), 0, 65535)
+            counts = np.clip(np.rint(_finite(percent) * 65535.0 / 200.0), 0, 65535)
             return counts.astype(">u2").tobytes()
         values = [f"{value:.{self._set[DECIMALS]}f}" for value in percent]
         match form:
@@ -288,6 +288,8 @@ class XriteRci(Instrument):
     def _tristimulus(self, percent: FloatArray) -> bytes:
         if self._set[ILLUMINANT] != D65_10:
             return self._fail("configuration")
+        if not np.isfinite(percent).all():
+            return self._separated(["nan"] * 3).encode("ascii")
         lab = reflectance_to_lab(WAVELENGTHS_NM, percent / 100.0)
         xyz = lab_to_xyz(lab, white("D65", "10"))
         decimals = self._set[DECIMALS]
@@ -306,3 +308,8 @@ class XriteRci(Instrument):
         delimiter = DELIMITERS[self._set[DELIMITER]]
         text = "".join(line + delimiter for line in lines) + f"<{code:02X}>"
         return text.encode("ascii")
+
+
+def _finite(percent: FloatArray) -> FloatArray:
+    """The values, the largest one that can be sent in place of none."""
+    return np.nan_to_num(percent, nan=200.0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable
 
 from paintlink_simulators._simulator import (
     LineCutError,
@@ -10,6 +11,7 @@ from paintlink_simulators._simulator import (
     Wrapper,
     earlier,
 )
+from paintlink_simulators._uart import LineSettings, heard
 
 
 class Late(Wrapper):
@@ -100,3 +102,72 @@ class Onset(Wrapper):
             if not self._answers_left:
                 self.inner = self._faulty
         return answer
+
+
+class DeafAtFirst(Wrapper):
+    """The first thing said to it is lost, as to a sleeping instrument."""
+
+    def __init__(self, inner: Simulator) -> None:
+        super().__init__(inner)
+        self._deaf = True
+
+    def feed(self, data: bytes) -> bytes:
+        deaf, self._deaf = self._deaf, False
+        return b"" if deaf else super().feed(data)
+
+
+class WrongBaud(Wrapper):
+    """The host's end of the line is set to another baud rate than the instrument's."""
+
+    def __init__(self, inner: Simulator, instrument: float, host: float) -> None:
+        super().__init__(inner)
+        self._instrument, self._host = LineSettings(instrument), LineSettings(host)
+
+    def feed(self, data: bytes) -> bytes:
+        return super().feed(heard(data, self._host, self._instrument))
+
+    def _pass(self, answer: bytes) -> bytes:
+        return heard(answer, self._instrument, self._host)
+
+
+class Recurring(Wrapper):
+    """Something is sent by itself, again and again, from the first poll on.
+
+    Parameters
+    ----------
+    send
+        What, given the simulator.
+    alone
+        Whether it is all that is ever sent.
+    """
+
+    def __init__(
+        self,
+        inner: Simulator,
+        every_s: float,
+        send: Callable[[Simulator], bytes],
+        *,
+        alone: bool = False,
+    ) -> None:
+        super().__init__(inner)
+        self._every_s = every_s
+        self._send = send
+        self._alone = alone
+        self._next: float | None = None
+
+    def due_at(self) -> float | None:
+        return earlier(self.inner.due_at(), self._next)
+
+    def disconnect(self) -> None:
+        self._next = None
+        super().disconnect()
+
+    def _pass(self, answer: bytes) -> bytes:
+        now = self.clock()
+        sent = b"" if self._alone else answer
+        if self._next is None:
+            self._next = now + self._every_s
+        if self._next <= now:
+            self._next = now + self._every_s
+            sent += self._send(self.inner)
+        return sent
