@@ -1,7 +1,13 @@
 """Simulated instruments, one module each; the file name is the driver id."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from paintlink_simulators import ports
 from paintlink_simulators._simulator import Simulator
-from paintlink_simulators.faults import FAULTS
+from paintlink_simulators._uart import LineSettings
+from paintlink_simulators.faults import FAULTS, HARMLESS, STATES, from_answer
 from paintlink_simulators.paint import Panel, panel_from_lab
 from paintlink_simulators.ports import (
     ManualClock,
@@ -9,16 +15,35 @@ from paintlink_simulators.ports import (
     Operator,
     PtyPort,
     TcpPort,
+    UsbIpPort,
 )
+from paintlink_simulators.usb import UsbSocket
+
+if TYPE_CHECKING:
+    from paintlink_simulators.ports import PyusbBackend, Rfc2217Port
 
 __all__ = [
     "FAULTS",
+    "HARMLESS",
+    "STATES",
+    "LineSettings",
     "ManualClock",
     "MemoryPort",
     "Operator",
     "Panel",
     "PtyPort",
+    "PyusbBackend",
+    "Rfc2217Port",
     "Simulator",
     "TcpPort",
+    "UsbIpPort",
+    "UsbSocket",
+    "from_answer",
     "panel_from_lab",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    if name in {"PyusbBackend", "Rfc2217Port"}:
+        return getattr(ports, name)
+    raise AttributeError(name)

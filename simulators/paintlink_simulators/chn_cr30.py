@@ -11,8 +11,10 @@ project never met the hardware.
 
 from __future__ import annotations
 
+import itertools
 import struct
 from collections import deque
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,8 +22,9 @@ import numpy as np
 
 from paintlink.model import FloatArray
 from paintlink_simulators._instrument import CommonOptions, Instrument
-from paintlink_simulators._simulator import Clock
+from paintlink_simulators._simulator import Clock, Simulator
 from paintlink_simulators.paint import Panel
+from paintlink_simulators.usb import Ch341Function
 
 FRAME = 60
 MARKER = 58
@@ -32,6 +35,8 @@ TRIGGER_S, CALIBRATION_S = 0.3, 1.0
 SPOILED_GAIN = 1.4
 CAPPED_PERCENT = 90.0
 Field = tuple[int, bytes]
+HARMFUL = frozenset({"echo_on"})
+"""A reply equal to its request means that the command is not implemented."""
 CHUNKS = {0x10: (0, 12), 0x11: (12, 24), 0x12: (24, 31)}
 
 
@@ -193,3 +198,21 @@ def _changed(request: bytes, *fields: Field, marker: int = HOST) -> bytes:
     reply[MARKER] = marker
     reply[-1] = sum(reply[:-1]) % 256
     return bytes(reply)
+
+
+def usb_function(simulator: Simulator) -> Ch341Function:
+    """The instrument as it appears on USB: an adapter without a serial number."""
+    return Ch341Function(simulator, serial="")
+
+
+def spectra(exchanges: Iterable[tuple[bytes, bytes]]) -> Iterator[FloatArray]:
+    """Every spectrum that bytes hold by the grammar of section 2, in factors."""
+    stream = b"".join(received for _, received in exchanges)
+    chunks: dict[int, set[bytes]] = {sub: set() for sub in CHUNKS}
+    for start in range(len(stream) - FRAME + 1):
+        frame = stream[start : start + FRAME]
+        if frame[:2] == b"\xbb\x01" and sum(frame[:-1]) % 256 == frame[-1]:
+            first, stop = CHUNKS.get(frame[2], (0, 0))
+            chunks.setdefault(frame[2], set()).add(frame[6 : 6 + 4 * (stop - first)])
+    for parts in itertools.product(*(chunks[sub] for sub in CHUNKS)):
+        yield np.frombuffer(b"".join(parts), "<f4").astype(np.float64) / 100.0

@@ -12,15 +12,17 @@ from __future__ import annotations
 
 import re
 from collections import deque
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from paintlink.model import FloatArray
 from paintlink_simulators._instrument import CommonOptions, Instrument
-from paintlink_simulators._simulator import Clock
+from paintlink_simulators._simulator import Clock, Simulator
 from paintlink_simulators.paint import Panel
+from paintlink_simulators.usb import FtdiFunction
 
 ANGLES = (25.0, 45.0, 75.0)
 END = b"\r"
@@ -29,6 +31,7 @@ PLATE_BANDS = 16
 UZC_S, CAL_S, MES_S = 1.5, 2.5, 3.0
 PLATE = tuple(tuple(90.0 + 0.1 * band for band in range(PLATE_BANDS)) for _ in ANGLES)
 REST = "".join(",000.00" for _ in range(7)) + "   "
+WRITTEN = re.compile(rb"OK\d\d((?:,\d{3}\.\d{2}){31})")
 VALUE = re.compile(r"\d{3}\.\d{2}")
 
 
@@ -178,3 +181,17 @@ def _value(percent: float) -> str:
 
 def _reply(code: str, *fields: str) -> bytes:
     return ",".join((code, *fields)).encode("ascii") + END
+
+
+def usb_function(simulator: Simulator) -> FtdiFunction:
+    """The instrument on a USB adapter."""
+    return FtdiFunction(simulator, serial="SIM-CM")
+
+
+def spectra(exchanges: Iterable[tuple[bytes, bytes]]) -> Iterator[FloatArray]:
+    """Every spectrum that bytes hold by the grammar of section 5, in factors."""
+    stream = b"".join(received for _, received in exchanges)
+    for reply in stream.split(END):
+        if match := WRITTEN.fullmatch(reply.replace(b"\n", b"").strip()):
+            fields = match[1].decode("ascii").split(",")[1:]
+            yield np.array(fields, dtype=np.float64) / 100.0

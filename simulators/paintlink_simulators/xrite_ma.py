@@ -15,7 +15,7 @@ plaque. Never met real hardware.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, Literal
@@ -25,9 +25,10 @@ import numpy as np
 from paintlink.color import lab_to_lch, reflectance_to_lab
 from paintlink.model import FloatArray
 from paintlink_simulators._instrument import CommonOptions, Condition, Instrument
-from paintlink_simulators._simulator import Clock
+from paintlink_simulators._simulator import Clock, Simulator
 from paintlink_simulators.paint import WAVELENGTHS_NM, Panel
 from paintlink_simulators.paint.panel import MAX_FACTOR
+from paintlink_simulators.usb import FtdiFunction
 
 MODELS: Mapping[str, tuple[float, ...]] = MappingProxyType({
     "MA58": (25.0, 45.0, 75.0),
@@ -37,6 +38,7 @@ MODELS: Mapping[str, tuple[float, ...]] = MappingProxyType({
 """Aspecular angles by model."""
 
 DUMP = re.compile(r"([0-9A-F]{4})([0-9A-F]{4})i")
+WRITTEN = re.compile(rb"(?<![0-9A-Fa-f])([0-9A-Fa-f]{248})OK")
 MEMORY_START = 0x2000
 SHORTEST_DUMP = 380
 WHITE = 32768
@@ -221,3 +223,16 @@ def _color_rows(angles: tuple[float, ...], factors: FloatArray) -> Iterator[str]
     ):
         values = (*lab, *lch[1:])
         yield f"{angle:.0f} {' '.join(f'{value:.2f}' for value in values)}"
+
+
+def usb_function(simulator: Simulator) -> FtdiFunction:
+    """The instrument on a USB adapter."""
+    return FtdiFunction(simulator, serial="SIM-MA")
+
+
+def spectra(exchanges: Iterable[tuple[bytes, bytes]]) -> Iterator[FloatArray]:
+    """Every spectrum that bytes hold by the grammar of section 4, in factors."""
+    for _, received in exchanges:
+        for digits in WRITTEN.findall(b"".join(received.split())):
+            counts = np.frombuffer(bytes.fromhex(digits.decode("ascii")), "<i4")
+            yield counts / WHITE

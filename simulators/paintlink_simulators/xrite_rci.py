@@ -12,6 +12,7 @@ the baud rate, factory calibration. Never met real hardware.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,11 +22,13 @@ from paintlink.color import lab_to_xyz, reflectance_to_lab, white
 from paintlink.model import FloatArray
 from paintlink_simulators._instrument import CommonOptions, Instrument
 from paintlink_simulators._rci_models import BUSY, MODELS, Failure
-from paintlink_simulators._simulator import Clock
+from paintlink_simulators._simulator import Clock, Simulator
 from paintlink_simulators.paint import WAVELENGTHS_NM, Panel
+from paintlink_simulators.usb import RciFunction
 
 ANGLES = (45.0,)
 COMMAND = re.compile(r"([0-9A-F]*)([A-Z]{2})")
+BINARY_BYTES = 62
 SEPARATORS = (" ", ",", "\t", "\r", "\r\n", "\n")
 DELIMITERS = ("\r", "\r\n", "\n")
 SEPARATOR, DELIMITER, ECHO, DECIMALS = 0x07, 0x08, 0x09, 0x0A
@@ -313,3 +316,15 @@ class XriteRci(Instrument):
 def _finite(percent: FloatArray) -> FloatArray:
     """The values, the largest one that can be sent in place of none."""
     return np.nan_to_num(percent, nan=200.0)
+
+
+def usb_function(simulator: Simulator) -> RciFunction:
+    """The DTP20 as it appears on USB."""
+    return RciFunction(simulator, serial="SIM00001")
+
+
+def spectra(exchanges: Iterable[tuple[bytes, bytes]]) -> Iterator[FloatArray]:
+    """Every binary spectrum that bytes hold by section 6, in factors."""
+    for sent, received in exchanges:
+        if sent.upper().endswith(b"01GM\r") and len(received) == BINARY_BYTES:
+            yield np.frombuffer(received, ">u2") * 2.0 / 65535.0

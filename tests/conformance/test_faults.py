@@ -3,79 +3,73 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable, Iterable
 
-import numpy as np
 import pytest
 
-from paintlink.errors import InstrumentError, LinkError, ProtocolError, ReadingError
-from paintlink.instrument import drivers
-from paintlink.model import Measurement
-from paintlink_simulators.faults import FAULTS, from_answer
-from tests.conformance.bench import Bench, clean_reading
+from paintlink.conformance import (
+    CHUNKS,
+    EXCHANGES,
+    Result,
+    cases,
+    examine,
+    examine_all,
+    failed,
+    subjects,
+)
+from paintlink.conformance.exam import clean_reading, factors
+from paintlink.conformance.stands import transports_of
+from paintlink_simulators import FAULTS, STATES
 
-HARMLESS = {"echo_on", "late", "one_byte_at_a_time", "seven_bytes_at_a_time"}
-WITHOUT_CHECKSUM = {"flip_bit"}
-EXCHANGES = range(8)
-NAMED = (LinkError, ProtocolError, InstrumentError, ReadingError)
+SUBJECTS = subjects()
+QUESTIONS = [*itertools.product(SUBJECTS, ("", *STATES, *FAULTS))]
+# Past identification, so that the fault meets the reading itself.
+ON_WIRES = (2,)
+WIRES = [
+    (driver, transport)
+    for driver, subject in SUBJECTS.items()
+    for transport in transports_of(subject)
+    if transport != "memory"
+]
 
-CASES = list(itertools.product(sorted(drivers()), sorted(FAULTS), EXCHANGES))
+Collect = Callable[[Iterable[Result]], None]
 
 
-def test_every_driver_has_a_simulator() -> None:
-    for driver_id in drivers():
-        assert Bench(driver_id).read().spectra is not None
+@pytest.mark.parametrize("driver", SUBJECTS)
+def test_every_driver_reads_its_simulator(driver: str) -> None:
+    reading = clean_reading(SUBJECTS[driver])
 
-
-def test_every_harmless_fault_is_known() -> None:
-    assert set(FAULTS) >= HARMLESS | WITHOUT_CHECKSUM
+    assert factors(reading).any()
+    assert len(reading.raw) >= factors(reading).size
 
 
 @pytest.mark.parametrize(
-    ("driver_id", "fault", "exchange"),
-    CASES,
-    ids=["-".join(map(str, case)) for case in CASES],
+    ("driver", "fault"),
+    QUESTIONS,
+    ids=[f"{driver}-{fault or 'sound'}" for driver, fault in QUESTIONS],
 )
 def test_fault_gives_whole_reading_or_named_error(
-    driver_id: str, fault: str, exchange: int
+    driver: str, fault: str, collect: Collect
 ) -> None:
-    bench = Bench(driver_id, fault=from_answer(exchange, FAULTS[fault]))
+    subject = SUBJECTS[driver]
+    questions = cases(subject, exchanges=EXCHANGES, chunks=CHUNKS)
 
-    reading = read_or_none(bench, may_fail=fault not in HARMLESS)
+    results = [examine(subject, case) for case in questions if case.fault == fault]
 
-    if reading is None:
-        return
-    assert_whole(reading, clean_reading(driver_id))
-    if fault not in WITHOUT_CHECKSUM:
-        np.testing.assert_array_equal(
-            factors(reading), factors(clean_reading(driver_id))
-        )
+    collect(results)
+    assert len(results) == len(CHUNKS) * (len(EXCHANGES) if fault in FAULTS else 1)
+    assert not failed(results)
 
 
-@pytest.mark.parametrize("chunk", [1, 2, 3, 16, 64, 4096])
-@pytest.mark.parametrize("driver_id", sorted(drivers()))
-def test_reading_does_not_depend_on_delivery(driver_id: str, chunk: int) -> None:
-    reading = Bench(driver_id, chunk_bytes=chunk).read()
+@pytest.mark.parametrize(
+    ("driver", "transport"), WIRES, ids=["-".join(wire) for wire in WIRES]
+)
+def test_every_transport_gives_the_same_or_refuses(
+    driver: str, transport: str, collect: Collect
+) -> None:
+    subject = SUBJECTS[driver]
 
-    np.testing.assert_array_equal(factors(reading), factors(clean_reading(driver_id)))
+    results = examine_all(subject, cases(subject, transport, exchanges=ON_WIRES))
 
-
-def read_or_none(bench: Bench, *, may_fail: bool) -> Measurement | None:
-    """The reading; None where the driver refused it by name and may do so."""
-    try:
-        return bench.read()
-    except NAMED:
-        if may_fail:
-            return None
-        raise
-
-
-def factors(reading: Measurement) -> np.ndarray:
-    assert reading.spectra is not None
-    return reading.spectra.factors
-
-
-def assert_whole(reading: Measurement, clean: Measurement) -> None:
-    """No partial spectrum, and the angles the model advertises."""
-    assert reading.geometries == clean.geometries
-    assert factors(reading).shape == factors(clean).shape
-    assert len(reading.raw) >= factors(reading).size
+    collect(results)
+    assert not failed(results)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from paintlink_simulators._uart import LineSettings
+
 
 class Line(Protocol):
     """A connection that never blocks; what fails is an ``OSError``."""
@@ -18,6 +20,10 @@ class Line(Protocol):
 
     def send(self, data: bytes) -> int:
         """How many of the bytes were taken."""
+        ...
+
+    def host_line(self) -> LineSettings | None:
+        """How the other end is set; None where that cannot be seen."""
         ...
 
     def close(self) -> None:

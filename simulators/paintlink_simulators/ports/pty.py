@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 import os
+import re
+import termios
 import tty
 from pathlib import Path
 
 from paintlink_simulators._simulator import Simulator
+from paintlink_simulators._uart import LineSettings
 from paintlink_simulators.ports.server import Server
+
+RATES = {
+    getattr(termios, name): float(name[1:])
+    for name in dir(termios)
+    if re.fullmatch(r"B[1-9]\d*", name)
+}
 
 
 class PtyPort(Server):
@@ -27,8 +36,11 @@ class PtyPort(Server):
         link: Path | None = None,
         baud: int | None = None,
         auto_press_after_s: float | None = None,
+        line: LineSettings | None = None,
     ) -> None:
-        super().__init__(simulator, baud=baud, auto_press_after_s=auto_press_after_s)
+        super().__init__(
+            simulator, baud=baud, auto_press_after_s=auto_press_after_s, line=line
+        )
         self._link = link
         self.path = ""
         try:
@@ -78,6 +90,11 @@ class _Terminal:
 
     def send(self, data: bytes) -> int:
         return os.write(self._near, data)
+
+    def host_line(self) -> LineSettings | None:
+        """The rate a client has set; data bits and parity cannot be seen here."""
+        rate = RATES.get(termios.tcgetattr(self._far)[5])
+        return None if rate is None else LineSettings(rate)
 
     def close(self) -> None:
         if self._link is not None:

@@ -15,6 +15,7 @@ from typing import Self
 
 from paintlink.errors import LinkError
 from paintlink_simulators._simulator import LineCutError, Simulator
+from paintlink_simulators._uart import LineSettings, heard
 from paintlink_simulators.ports._line import Line, Listener
 from paintlink_simulators.ports._pacer import Pacer
 from paintlink_simulators.ports.operator import Operator
@@ -35,6 +36,9 @@ class Server:
         Pace of the answers, for 10 bits a character; unlimited when left out.
     auto_press_after_s
         Adds an operator who presses the instrument so long after it begins to wait.
+    line
+        How the instrument's end of the line is set: a client set otherwise, where that
+        can be seen, gets garbage and is heard as garbage. None hears everything.
     """
 
     def __init__(
@@ -44,11 +48,13 @@ class Server:
         listener: Listener | None = None,
         baud: int | None = None,
         auto_press_after_s: float | None = None,
+        line: LineSettings | None = None,
     ) -> None:
         if auto_press_after_s is not None:
             simulator = Operator(simulator, auto_press_after_s)
         self._simulator = simulator
         self._listener = listener
+        self._settings = line
         self._line: Line | None = None
         self._outgoing = b""
         self._cut = False
@@ -133,7 +139,8 @@ class Server:
         waits_s = [TICK_S] if paced else []
         due = self._simulator.due_at()
         if due is not None:
-            waits_s.append(max(due - self._simulator.clock(), 0.0))
+            # The simulator's clock may run faster than the real one.
+            waits_s.append(min(max(due - self._simulator.clock(), 0.0), TICK_S))
         return 1000.0 * min(waits_s) if waits_s else None
 
     def _allowance(self) -> int:
@@ -171,12 +178,25 @@ class Server:
         except OSError:
             data = b""
         if data:
-            self._answer(lambda: self._simulator.feed(data))
+            arrived = self._over_the_line(data, inward=True)
+            self._answer(lambda: self._simulator.feed(arrived))
         else:
             self._hang_up()
 
+    def _over_the_line(self, data: bytes, *, inward: bool) -> bytes:
+        """What one end hears of the other."""
+        host = self._line.host_line() if self._line and self._settings else None
+        if host is None or self._settings is None:
+            return data
+        ends = (host, self._settings) if inward else (self._settings, host)
+        return heard(data, *ends)
+
     def _accept(self, listener: Listener) -> None:
-        line = listener.accept()
+        try:
+            line = listener.accept()
+        except OSError:
+            # The client has left before it was greeted.
+            return
         if self._line is None:
             self._attach(line)
         else:
@@ -191,7 +211,7 @@ class Server:
         if self._line is not None:
             if not self._outgoing:
                 self._pacer.start(time.monotonic())
-            self._outgoing += sent
+            self._outgoing += self._over_the_line(sent, inward=False)
 
     def _flush(self, line: Line) -> None:
         characters = self._outgoing[: self._allowance()]

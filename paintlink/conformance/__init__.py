@@ -1,0 +1,30 @@
+"""The exam every driver takes: its simulator, every fault, every connection."""
+
+from paintlink.conformance._cases import Case, Result, Verdict
+from paintlink.conformance._subjects import Subject, subject, subjects
+from paintlink.conformance.exam import (
+    CHUNKS,
+    EXCHANGES,
+    cases,
+    examine,
+    examine_all,
+)
+from paintlink.conformance.report import failed, rows
+from paintlink.conformance.stands import TRANSPORTS
+
+__all__ = [
+    "CHUNKS",
+    "EXCHANGES",
+    "TRANSPORTS",
+    "Case",
+    "Result",
+    "Subject",
+    "Verdict",
+    "cases",
+    "examine",
+    "examine_all",
+    "failed",
+    "rows",
+    "subject",
+    "subjects",
+]

@@ -1,0 +1,134 @@
+"""A reading under a fault: right, or refused by name, or the driver has failed."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from paintlink.conformance._cases import Case, Result
+from paintlink.conformance._subjects import Subject
+from paintlink.conformance.exchanges import Exchanges
+from paintlink.conformance.stands import TRANSPORTS, Clock, Stand, transports_of
+from paintlink.errors import InstrumentError, LinkError, ProtocolError, ReadingError
+from paintlink.instrument import Link
+from paintlink.model import FloatArray, Measurement
+
+SEED = 20261122
+PRESS_AFTER_S = 0.2
+EXCHANGES = range(8)
+CHUNKS = (1, 3, 4096)
+NAMED = (LinkError, ProtocolError, InstrumentError, ReadingError)
+ANGLES = np.array([15.0, 25.0, 45.0, 75.0, 110.0])
+WORKERS = 12
+
+
+def cases(
+    subject: Subject,
+    transport: str = "memory",
+    *,
+    exchanges: Sequence[int] = (0,),
+    chunks: Sequence[int] = (4096,),
+) -> Iterator[Case]:
+    """Every question about one driver over one transport."""
+    faults = [*itertools.product(subject.kit.FAULTS, exchanges)]
+    states = [(state, 0) for state in ("", *subject.kit.STATES)]
+    for chunk, (fault, exchange) in itertools.product(chunks, states + faults):
+        yield Case(subject.id, transport, fault, exchange, chunk)
+
+
+def examine(subject: Subject, case: Case) -> Result:
+    """The answer to one question; never raises what a driver raises."""
+    exchanges = Exchanges()
+    try:
+        reading = _reading(subject, case, exchanges)
+    except NAMED as refusal:
+        text = f"{type(refusal).__name__}: {refusal}"
+        sound = case.fault in subject.kit.HARMLESS - subject.harmful or not case.fault
+        return Result(case, "failed" if sound else "refused", text)
+    except Exception as crash:  # noqa: BLE001  a crash of the driver is a finding
+        return Result(case, "failed", f"{type(crash).__name__}: {crash}")
+    return _judged(subject, case, reading, exchanges)
+
+
+def examine_all(
+    subject: Subject, questions: Iterable[Case], *, workers: int = WORKERS
+) -> list[Result]:
+    """The answers, where time is real to many questions at once: they mostly wait."""
+    questions = list(questions)
+    if all(case.transport == "memory" for case in questions):
+        return [examine(subject, case) for case in questions]
+    with ThreadPoolExecutor(workers) as pool:
+        return list(pool.map(lambda case: examine(subject, case), questions))
+
+
+@cache
+def clean_reading(subject: Subject) -> Measurement:
+    """What the driver reads when nothing goes wrong."""
+    return _reading(subject, Case(subject.id), Exchanges())
+
+
+def build(subject: Subject, case: Case, clock: Clock) -> Any:
+    """The simulator of a case: on its panel, with its operator and its fault."""
+    kit = subject.kit
+    state = kit.STATES.get(case.fault, {})
+    simulator = subject.simulator.create(panel(kit), clock=clock, seed=SEED, **state)
+    pressed = kit.Operator(simulator, PRESS_AFTER_S)
+    fault = kit.FAULTS.get(case.fault)
+    return kit.from_answer(case.exchange, fault)(pressed, SEED) if fault else pressed
+
+
+def panel(kit: Any) -> Any:
+    """A red metallic panel; its face reflects more than the perfect diffuser."""
+    wavelengths = np.arange(400.0, 701.0, 10.0)
+    level = np.array([1.3, 0.9, 0.45, 0.22, 0.15])[:, None]
+    shape = 0.3 + 0.7 / (1.0 + np.exp(-(wavelengths - 590.0) / 15.0))
+    return kit.Panel(ANGLES, level * shape, "bench panel")
+
+
+def _reading(subject: Subject, case: Case, exchanges: Exchanges) -> Measurement:
+    """One reading as the service takes it: identify, then measure."""
+    stand = TRANSPORTS[case.transport]
+    with stand(
+        subject, lambda clock: build(subject, case, clock), case.chunk
+    ) as connected:
+        driver = open_driver(subject, connected, exchanges)
+        driver.identify()
+        reading: Measurement = driver.measure(lambda _: None)
+        return reading
+
+
+def open_driver(subject: Subject, stand: Stand, exchanges: Exchanges) -> Any:
+    """The driver at the other end of a stand."""
+    link = Link(stand.stream, clock=stand.clock, tap=exchanges.tap)
+    return subject.driver.create(link, subject.options)
+
+
+def _judged(
+    subject: Subject, case: Case, reading: Measurement, exchanges: Exchanges
+) -> Result:
+    clean = clean_reading(subject)
+    got, sound = factors(reading), factors(clean)
+    if reading.geometries != clean.geometries or got.shape != sound.shape:
+        return Result(case, "failed", "the reading is not whole")
+    if np.array_equal(got, sound):
+        return Result(case, "reading")
+    if case.fault in subject.kit.HARMLESS or not case.fault:
+        return Result(case, "failed", "another reading under a harmless fault")
+    if exchanges.tell(subject, got, sound):
+        return Result(case, "as sent", "the bytes on the line say so")
+    return Result(case, "failed", "a reading that was never sent")
+
+
+def factors(reading: Measurement) -> FloatArray:
+    """The reflectance factors; none where the reading has Lab values only."""
+    if reading.spectra is None:
+        return np.empty((0, 0))
+    return reading.spectra.factors
+
+
+__all__ = ["CHUNKS", "EXCHANGES", "cases", "examine", "examine_all", "transports_of"]
