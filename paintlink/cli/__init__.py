@@ -21,6 +21,7 @@ COMMANDS = {
     "demo": "demo",
     "design": "design",
     "devices": "devices",
+    "driver-test": "driver_test",
     "export": "export",
     "graph": "graph",
     "import": "import_",

@@ -6,11 +6,12 @@ from paintlink.conformance.exam import (
     CHUNKS,
     EXCHANGES,
     cases,
+    differences,
     examine,
     examine_all,
 )
 from paintlink.conformance.report import failed, rows
-from paintlink.conformance.stands import TRANSPORTS
+from paintlink.conformance.stands import TRANSPORTS, transports_of
 
 __all__ = [
     "CHUNKS",
@@ -21,10 +22,12 @@ __all__ = [
     "Subject",
     "Verdict",
     "cases",
+    "differences",
     "examine",
     "examine_all",
     "failed",
     "rows",
     "subject",
     "subjects",
+    "transports_of",
 ]

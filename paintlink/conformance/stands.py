@@ -14,7 +14,7 @@ from paintlink.links import open_link
 
 # Instrument, driver and time-outs run so many times faster where time is real: far
 # enough from the pauses a busy machine makes.
-HURRY = 8.0
+HURRY = 2.0
 Clock = Callable[[], float]
 Build = Callable[[Clock], Any]
 """From a clock to the simulator with its fault and its operator."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from paintlink_simulators import ports
 from paintlink_simulators._simulator import Simulator
 from paintlink_simulators._uart import LineSettings
-from paintlink_simulators.faults import FAULTS, HARMLESS, STATES, from_answer
+from paintlink_simulators.faults import BUNDLED, FAULTS, HARMLESS, STATES, from_answer
 from paintlink_simulators.paint import Panel, panel_from_lab
 from paintlink_simulators.ports import (
     ManualClock,
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from paintlink_simulators.ports import PyusbBackend, Rfc2217Port
 
 __all__ = [
+    "BUNDLED",
     "FAULTS",
     "HARMLESS",
     "STATES",

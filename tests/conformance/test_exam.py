@@ -69,7 +69,7 @@ def test_a_crash_fails_and_says_what_crashed() -> None:
     def crash(read: Callable[[], Any]) -> Any:
         return [read()][1]
 
-    result = examine(altered(crash), Case("xrite_ma", fault="flip_bit", exchange=4))
+    result = examine(altered(crash), Case("xrite_ma"))
 
     assert result.verdict == "failed"
     assert result.text.startswith("IndexError")

@@ -12,6 +12,7 @@ from paintlink.conformance import (
     EXCHANGES,
     Result,
     cases,
+    differences,
     examine,
     examine_all,
     failed,
@@ -23,6 +24,7 @@ from paintlink_simulators import FAULTS, STATES
 
 SUBJECTS = subjects()
 QUESTIONS = [*itertools.product(SUBJECTS, ("", *STATES, *FAULTS))]
+SMALL_CHUNKS, SOME_EXCHANGES = CHUNKS[:-1], (1, 4)
 # Past identification, so that the fault meets the reading itself.
 ON_WIRES = (2,)
 WIRES = [
@@ -52,24 +54,44 @@ def test_fault_gives_whole_reading_or_named_error(
     driver: str, fault: str, collect: Collect
 ) -> None:
     subject = SUBJECTS[driver]
-    questions = cases(subject, exchanges=EXCHANGES, chunks=CHUNKS)
+    questions = [
+        *cases(subject, exchanges=EXCHANGES, chunks=CHUNKS[-1:]),
+        *cases(subject, exchanges=SOME_EXCHANGES, chunks=SMALL_CHUNKS),
+    ]
 
     results = [examine(subject, case) for case in questions if case.fault == fault]
 
     collect(results)
-    assert len(results) == len(CHUNKS) * (len(EXCHANGES) if fault in FAULTS else 1)
+    assert len({result.case.chunk for result in results}) == len(CHUNKS)
     assert not failed(results)
+
+
+@pytest.fixture(scope="module")
+def over_wires() -> dict[tuple[str, str], list[Result]]:
+    """Every answer over a transport where time is real; asked all at once."""
+    questions = [
+        (SUBJECTS[driver], case)
+        for driver, transport in WIRES
+        for case in cases(SUBJECTS[driver], transport, exchanges=ON_WIRES)
+    ]
+    answers: dict[tuple[str, str], list[Result]] = {wire: [] for wire in WIRES}
+    for result in examine_all(questions):
+        answers[result.case.driver, result.case.transport].append(result)
+    return answers
 
 
 @pytest.mark.parametrize(
     ("driver", "transport"), WIRES, ids=["-".join(wire) for wire in WIRES]
 )
 def test_every_transport_gives_the_same_or_refuses(
-    driver: str, transport: str, collect: Collect
+    driver: str,
+    transport: str,
+    over_wires: dict[tuple[str, str], list[Result]],
+    collect: Collect,
 ) -> None:
-    subject = SUBJECTS[driver]
-
-    results = examine_all(subject, cases(subject, transport, exchanges=ON_WIRES))
+    results = over_wires[driver, transport]
 
     collect(results)
+    assert len(results) == 1 + len(STATES) + len(FAULTS)
     assert not failed(results)
+    assert not differences(results, SUBJECTS[driver])

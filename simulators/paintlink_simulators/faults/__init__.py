@@ -100,6 +100,9 @@ STATES: Mapping[str, Mapping[str, object]] = MappingProxyType({
 HARMLESS = frozenset({"echo_on", "late", "one_byte_at_a_time", "seven_bytes_at_a_time"})
 """What a sound driver does not notice, unless its simulator lists it as ``HARMFUL``."""
 
+BUNDLED = frozenset({"duplicate_frame", "stale_frame", "stuck_button"})
+"""What a driver makes of them hangs on which bytes arrive together."""
+
 
 def from_answer(answers: int, fault: Fault) -> Fault:
     """``fault`` that begins after the first ``answers`` answers."""
@@ -107,6 +110,7 @@ def from_answer(answers: int, fault: Fault) -> Fault:
 
 
 __all__ = [
+    "BUNDLED",
     "FAULTS",
     "HARMLESS",
     "STATES",
