@@ -123,12 +123,22 @@ def _connect(path: Path, *, alone: bool) -> sqlite3.Connection:
             _require_whole(connection, path)
         with explained(f"the journal {path} cannot be used", "check the disk"):
             _prepare(connection, path)
+            _sync_folder(path.parent)
     except BaseException as error:
         connection.close()
         if alone and getattr(error.__cause__, "sqlite_errorcode", None) in DAMAGED:
             _refuse(path, str(error.__cause__))
         raise
     return connection
+
+
+def _sync_folder(folder: Path) -> None:
+    """SQLite syncs the entry of its new log too, but passes over an error in that."""
+    descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
 
 
 def _prepare(connection: sqlite3.Connection, path: Path) -> None:
