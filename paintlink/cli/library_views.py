@@ -96,7 +96,7 @@ def show_paint(shelf: Shelf, table: PaintTable, row: int, *, as_json: bool) -> N
         click.echo(f"{name}: {text}")
     if group:
         _print_group(table, group)
-    kind = "synthetic" if table.synthetic else "measured"
+    kind = "synthetic" if table.synthetic else "real"
     click.echo(
         f"{kind}, 45 degree light, D65/{spec.observer}; {table.library}, "
         f"generation {table.generation}"

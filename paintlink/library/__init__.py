@@ -11,16 +11,22 @@ from paintlink.library.measures import (
     leaves,
     statistics,
 )
+from paintlink.library.munsell import munsell
+from paintlink.library.shelf import MUNSELL, VIRTUAL, Entry, Shelf
 from paintlink.library.store import bundled
 
 __all__ = [
     "INDEX_NAMES",
+    "MUNSELL",
+    "VIRTUAL",
+    "Entry",
     "FacetChoice",
     "Filter",
     "Histogram",
     "IndexName",
     "Indices",
     "Range",
+    "Shelf",
     "Statistics",
     "bundled",
     "facet_of",
@@ -28,6 +34,7 @@ __all__ = [
     "histogram",
     "indices",
     "leaves",
+    "munsell",
     "paint_spec",
     "parse_choices",
     "statistics",

@@ -10,12 +10,13 @@ from paintlink.errors import LibraryError
 from paintlink.library.diff import Difference
 from paintlink.library.editing import Editor
 from paintlink.library.generations import Generation
+from paintlink.library.munsell import munsell
 from paintlink.library.rows import Conditions
 from paintlink.library.store import bundled
 from paintlink.library.stored import StoredLibraries
 from paintlink.model import PaintTable
 
-VIRTUAL = "virtual"
+VIRTUAL, MUNSELL = "virtual", "munsell"
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +27,7 @@ class BuiltIn:
     load: Callable[[], PaintTable]
 
 
-BUILT_IN = (BuiltIn(VIRTUAL, bundled),)
+BUILT_IN = (BuiltIn(VIRTUAL, bundled), BuiltIn(MUNSELL, munsell))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -50,7 +50,7 @@ def test_library_is_imported_browsed_and_exported_again(
 
     shown = run("library", "show", "p00007", "-l", "Shop").stdout
     assert "brand: Brand 3" in shown
-    assert "measured, 45 degree light, D65/10; Shop, generation" in shown
+    assert "real, 45 degree light, D65/10; Shop, generation" in shown
 
     assert run("library", "export", "-l", "Shop", "again.csv").returncode == 0
     again = changed(
