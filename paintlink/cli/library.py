@@ -156,7 +156,7 @@ def show(
     row = find(table, code)
     if output is not None:
         from paintlink.cli.files import write_new
-        from paintlink.cli.library_folder import full_spec
+        from paintlink.cli.library_specs import full_spec
         from paintlink.library.loading import SPECIFICATION
         from paintlink.spec import write_spec
 

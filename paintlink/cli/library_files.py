@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from paintlink.library.shelf import Shelf
 
 SHOWN_REFUSALS = 20
+TABLES = {".csv", ".tsv", ".txt"}
+"""Suffixes of tables; the format of all other files is told by their content."""
 
 
 @click.command("import")
@@ -67,7 +69,7 @@ def import_paints(
     as_json: bool,
     **how: Any,
 ) -> None:
-    """Import SOURCE, a CSV table or a folder of colour specifications.
+    """Import SOURCE: a CSV table, a CxF file, or a folder of colour specifications.
 
     All of it or nothing: when a row is refused, the library stays as it was, and every
     refused row is named with its line. Interrupt it whenever you like.
@@ -103,7 +105,7 @@ def export_paints(target: Path, shelf: Shelf, where: Where, as_json: bool) -> No
 
         write_lines(target, csv_lines(table))
     else:
-        from paintlink.cli.library_folder import write_folder
+        from paintlink.cli.library_specs import write_folder
 
         with _bar("Writing") as progress:
             write_folder(target, shelf, table, progress)
@@ -121,9 +123,13 @@ def export_paints(target: Path, shelf: Shelf, where: Where, as_json: bool) -> No
 def _read(source: Path, profile: Profile) -> Incoming:
     with _bar("Reading") as progress:
         if source.is_dir():
-            from paintlink.cli.library_folder import read_folder
+            from paintlink.cli.library_specs import read_folder
 
             return read_folder(source, progress=progress)
+        if source.suffix.casefold() not in TABLES:
+            from paintlink.cli.library_specs import read_colours
+
+            return read_colours(source, progress=progress)
         from paintlink.library.csv_file import read_csv
 
         return read_csv(source, profile, progress=progress)

@@ -14,7 +14,7 @@ from paintlink.library.csv_file import read_csv
 from paintlink.library.generations import Generation
 from paintlink.library.incoming import Incoming
 from paintlink.library.profile import Profile
-from paintlink.library.shelf import VIRTUAL, Shelf
+from paintlink.library.shelf import MUNSELL, VIRTUAL, Shelf
 from paintlink.model import PaintTable
 from tests.library.csv_tables import HEADINGS, Row, rows, with_cell, write_csv
 
@@ -96,14 +96,15 @@ def test_paint_becomes_a_specification(shelf: Shelf, read: Read) -> None:
 
 
 def test_libraries_stand_side_by_side(shelf: Shelf, read: Read) -> None:
-    assert [one.name for one in shelf.entries()] == [VIRTUAL]
+    assert [one.name for one in shelf.entries()] == [VIRTUAL, MUNSELL]
 
     shelf.editor.import_paints("Shop", read(rows(3)))
     shelf.editor.import_paints("Lab", read(rows(2)))
 
     entries = shelf.entries()
     assert [(one.name, one.paints, one.own) for one in entries] == [
-        (VIRTUAL, 6000, False), ("Lab", 2, True), ("Shop", 3, True),
+        (VIRTUAL, 6000, False), (MUNSELL, 2734, False), ("Lab", 2, True),
+        ("Shop", 3, True),
     ]  # fmt: skip
     assert shelf.table() is bundled()
     assert codes(shelf.table("lab")) == ["P00001", "P00002"]
@@ -111,7 +112,7 @@ def test_libraries_stand_side_by_side(shelf: Shelf, read: Read) -> None:
 
 def test_looking_makes_no_file(shelf: Shelf) -> None:
     shelf.entries()
-    with pytest.raises(LibraryError, match="no library 'x'; there is virtual"):
+    with pytest.raises(LibraryError, match="no library 'x'; there is virtual, munsell"):
         shelf.table("x")
 
     assert not shelf.own.path.parent.exists()

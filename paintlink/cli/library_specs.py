@@ -1,4 +1,4 @@
-"""Libraries from folders of colour specifications, and into them."""
+"""Libraries from colour specifications and files of other programs, and into them."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ import numpy as np
 
 from paintlink.errors import ExportError, LibraryError, SpecError
 from paintlink.export.names import safe_name
+from paintlink.intake import Item, read_any
 from paintlink.library.incoming import (
     Collector,
     Incoming,
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 FILES_AT_ONCE = 256
 """Specifications turned into paints together."""
 
+NO_CONDITIONS = Conditions(angles_deg=(15.0, 45.0, 110.0))
 PLAIN_NAME = re.compile(r"[A-Za-z0-9_-]{1,60}")
 
 
@@ -49,7 +51,7 @@ def read_folder(folder: Path, *, progress: Progress = untold) -> Incoming:
         When the folder cannot be read or has no such file.
     """
     paths = _paths(folder)
-    conditions = _conditions(paths)
+    conditions = _first_conditions(paths)
     collector = Collector(str(folder), conditions)
 
     def convert(some: list[Path]) -> Rows:
@@ -60,6 +62,37 @@ def read_folder(folder: Path, *, progress: Progress = untold) -> Incoming:
             some = paths[start : start + FILES_AT_ONCE]
             collector.add(some, [path.name for path in some], convert)
             progress((start + len(some)) / len(paths))
+    except TooManyRefusalsError:
+        return collector.finish(stopped=True)
+    return collector.finish()
+
+
+def read_colours(path: Path, *, progress: Progress = untold) -> Incoming:
+    """The paints of a file of any format that `paintlink import` reads, such as CxF.
+
+    Its colours have to be at the same angles and for the same observer. A colour
+    without a code of its own has its name for one.
+
+    Raises
+    ------
+    ImportRefusedError
+        When colours are refused; holds their names and the reasons.
+    InputError
+        When the file cannot be read.
+    """
+    items = read_any(path).items
+    specs = [item.spec for item in items if item.spec is not None]
+    conditions = _conditions(specs[0]) if specs else NO_CONDITIONS
+    collector = Collector(str(path), conditions)
+
+    def convert(some: list[Item]) -> Rows:
+        return _rows([_coded(item, conditions) for item in some], conditions)
+
+    try:
+        for start in range(0, len(items), FILES_AT_ONCE):
+            some = list(items[start : start + FILES_AT_ONCE])
+            collector.add(some, [item.name for item in some], convert)
+            progress((start + len(some)) / len(items))
     except TooManyRefusalsError:
         return collector.finish(stopped=True)
     return collector.finish()
@@ -121,29 +154,42 @@ def _paths(folder: Path) -> list[Path]:
     return paths
 
 
-def _conditions(paths: list[Path]) -> Conditions:
+def _first_conditions(paths: list[Path]) -> Conditions:
     """What the first specification says that can be read."""
     for path in paths:
         try:
-            spec = read_spec_file(path)
+            return _conditions(read_spec_file(path))
         except SpecError:
             continue
-        return Conditions(
-            angles_deg=spec.angles_deg,
-            observer=spec.observer,
-            synthetic=_synthetic(spec),
-        )
-    return Conditions(angles_deg=(15.0, 45.0, 110.0))
+    return NO_CONDITIONS
+
+
+def _conditions(spec: ColorSpec) -> Conditions:
+    return Conditions(
+        angles_deg=spec.angles_deg,
+        observer=spec.observer,
+        synthetic=_synthetic(spec),
+    )
 
 
 def _paint(path: Path, conditions: Conditions) -> ColorSpec:
     try:
-        spec = read_spec_file(path)
+        return _fitting(read_spec_file(path), conditions)
     except SpecError as error:
         raise RowError(str(_sourceless(error))) from error
+
+
+def _coded(item: Item, conditions: Conditions) -> ColorSpec:
+    if item.spec is None:
+        raise RowError(item.refused)
+    spec = _fitting(item.spec, conditions)
+    return spec if spec.code else replace(spec, code=item.name)
+
+
+def _fitting(spec: ColorSpec, conditions: Conditions) -> ColorSpec:
     missing = set(conditions.angles_deg) - set(spec.angles_deg)
     if missing:
-        msg = f"no Lab at {min(missing):g} degrees, which the first file has"
+        msg = f"no Lab at {min(missing):g} degrees, which the first paint has"
         raise RowError(msg)
     if spec.observer != conditions.observer:
         msg = (
