@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from paintlink.cli.output import (
+    findings_document,
     lab_text,
     match_document,
     number_text,
@@ -22,10 +23,14 @@ if TYPE_CHECKING:
 
 def nearest_paint(spec: ColorSpec) -> Match:
     """The paint of the bundled library nearest to a specification."""
+    return _nearest(spec)[0]
+
+
+def _nearest(spec: ColorSpec) -> tuple[Match, ...]:
     from paintlink.library import bundled
     from paintlink.snap import nearest
 
-    return nearest(spec, bundled(), top=1)[0]
+    return nearest(spec, bundled())
 
 
 def paint_of(match: Match, design: Design) -> ColorSpec:
@@ -72,7 +77,8 @@ def _print_findings(document: dict[str, Any]) -> None:
         f"nearest: {nearest['code']} {nearest['name']}, "
         f"total {nearest['total']:.2f} ({nearest['words']})"
     )
-    for warning in document["warnings"]:
+    told = [one["sentence"] for one in document["findings"] if one["told"]]
+    for warning in (*document["warnings"], *told):
         click.secho(f"note: {warning}", fg="yellow")
 
 
@@ -98,8 +104,12 @@ def _value_text(value: object) -> str:
 
 def _document(design: Design) -> dict[str, Any]:
     from paintlink.design import color_document, rates, step_document, warnings
+    from paintlink.library import bundled
+    from paintlink.snap import diagnose
 
-    nearest = nearest_paint(design.spec)
+    matches = _nearest(design.spec)
+    nearest = matches[0]
+    findings = diagnose(design.spec, matches, bundled())
     return {
         "name": design.name,
         "start": {
@@ -114,6 +124,7 @@ def _document(design: Design) -> dict[str, Any]:
         "spec": spec_document(design.spec),
         "rates": {name: str(rate) for name, rate in rates(design.spec).items()},
         "nearest": match_document(nearest),
+        "findings": findings_document(findings),
         "warnings": warnings(design.spec, nearest),
     }
 

@@ -10,6 +10,7 @@ import click
 
 if TYPE_CHECKING:
     from paintlink.model import ColorSpec, Lab, Match
+    from paintlink.snap import Finding
 
 json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 
@@ -61,6 +62,13 @@ def match_document(match: Match) -> dict[str, Any]:
     document["differences"] = [one._asdict() for one in match.differences]
     document["mean"] = match.mean
     return document
+
+
+def findings_document(findings: Sequence[Finding]) -> list[dict[str, Any]]:
+    """What was looked at in an answer, as JSON documents."""
+    from dataclasses import asdict
+
+    return [{**asdict(one), "told": one.told} for one in findings]
 
 
 def spec_document(spec: ColorSpec) -> dict[str, Any]:

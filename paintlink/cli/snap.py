@@ -7,7 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from paintlink.cli.output import json_option, match_document, print_json, print_table
+from paintlink.cli.output import (
+    findings_document,
+    json_option,
+    match_document,
+    print_json,
+    print_table,
+)
 
 if TYPE_CHECKING:
     from paintlink.config import SnapSettings
@@ -223,7 +229,7 @@ def answer_document(found: Answer) -> dict[str, Any]:
         "relations": {name: m.code for name, m in found.relations.items()},
         "variants": found.variants,
         "confidence": asdict(found.confidence),
-        "findings": [{**asdict(one), "told": one.told} for one in found.findings],
+        "findings": findings_document(found.findings),
     }
 
 

@@ -78,6 +78,17 @@ def test_show_prints_everything_as_json(call: Call, red: Path) -> None:
     assert document["nearest"]["code"] in bundled().codes
 
 
+def test_what_no_paint_can_follow_is_told(call: Call, red: Path) -> None:
+    done = call("apply", "red.json", "set-face", "L=110", "a=60", "b=-80")
+
+    findings = json.loads(call("show", "red.json", "--json").stdout)["findings"]
+
+    told = [one for one in findings if one["told"]]
+    assert {one["kind"] for one in told} >= {"sparse", "off-radial"}
+    assert all(one["value"] > one["limit"] for one in told)
+    assert all(f"note: {one['sentence']}" in done.stdout for one in told)
+
+
 def test_paint_of_the_library_is_a_start_and_a_goal(call: Call) -> None:
     first, second = bundled().codes[100], bundled().codes[900]
 
