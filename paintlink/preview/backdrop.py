@@ -14,6 +14,7 @@ WALL = 0.30
 GLOW = 0.16
 FLOOR = 0.12
 HORIZON_SOFTNESS = 0.10
+SHADE = 0.95
 
 
 def backdrop(x: FloatArray, y: FloatArray, shadows: tuple[Ellipse, ...]) -> FloatArray:
@@ -29,6 +30,20 @@ def backdrop(x: FloatArray, y: FloatArray, shadows: tuple[Ellipse, ...]) -> Floa
     grey = wall + FLOOR * 0.5 * (1.0 - np.tanh(0.5 * height / HORIZON_SOFTNESS))
     for shadow in shadows:
         grey *= _let_through(x, y, shadow)
+    return grey
+
+
+def floor_and_wall(x: FloatArray, y: FloatArray, open_share: FloatArray) -> FloatArray:
+    """Linear grey of a floor that bends up to a wall, shape of ``x``.
+
+    Parameters
+    ----------
+    open_share
+        Share of the light that reaches the floor at each place.
+    """
+    wall = WALL + GLOW * np.exp(-((x / 1.1) ** 2) - ((y - 0.15) / 0.9) ** 2)
+    floor = FLOOR * 0.5 * (1.0 - np.tanh((y + 0.25) / (4.0 * HORIZON_SOFTNESS)))
+    grey: FloatArray = (wall + floor) * (1.0 - SHADE * (1.0 - open_share))
     return grey
 
 

@@ -14,12 +14,20 @@ from paintlink.preview.spline import END_DEG, splines
 from paintlink.preview.view import FRONT, View
 
 SIZE = 192
+COARSE_SIZE = 128
 BINS = 1024
 TEXELS_AT_ONCE = 16
 
 
-def base_table(environment: Environment, view: View = FRONT) -> Float32Array:
-    """Light times each term of a paint, shape (SIZE, SIZE, channels * TERMS).
+def base_table(
+    environment: Environment, view: View = FRONT, *, coarse: bool = False
+) -> Float32Array:
+    """Light times each term of a paint, shape (size, size, channels * TERMS).
+
+    Parameters
+    ----------
+    coarse
+        Half the texels, for tables of which several are mixed.
 
     Notes
     -----
@@ -28,9 +36,10 @@ def base_table(environment: Environment, view: View = FRONT) -> Float32Array:
     into bins of sin(theta / 2), then all terms are summed over the bins. The last term
     counts light beyond the mirror direction only, as seen from the normal.
     """
-    normals = disc.normals(SIZE)
-    reached = disc.needed(SIZE)
-    table = np.zeros((SIZE, SIZE, environment.channels * TERMS), dtype=np.float32)
+    size = COARSE_SIZE if coarse else SIZE
+    normals = disc.normals(size)
+    reached = disc.needed(size)
+    table = np.zeros((size, size, environment.channels * TERMS), dtype=np.float32)
     table[reached] = _integrals(normals[reached], environment, view)
     return table
 

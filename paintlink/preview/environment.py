@@ -5,14 +5,15 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
 from importlib import import_module
+from pathlib import Path
 
 import numpy as np
 
 from paintlink.color.display import LUMINANCE
 from paintlink.model import FloatArray
-from paintlink.preview import lights
+from paintlink.preview import lights, panorama
 from paintlink.preview.arrays import Float32Array
 from paintlink.preview.names import find
 
@@ -87,9 +88,32 @@ class Environment:
         )
 
 
-@cache
 def load(name: str) -> Environment:
-    """Environment of the light file ``name``."""
+    """Environment of a light of ours, or of the user's panorama file.
+
+    Raises
+    ------
+    PreviewError
+        When there is no such light, or when the file cannot be used.
+    """
+    path = Path(name)
+    if path.suffix.lower() not in panorama.SUFFIXES:
+        return _ours(name)
+    try:
+        changed_ns = path.stat().st_mtime_ns
+    except OSError:
+        changed_ns = 0
+    return _photographed(path, changed_ns)
+
+
+@lru_cache(maxsize=4)
+def _photographed(path: Path, _changed_ns: int) -> Environment:
+    radiance = panorama.radiance_of(panorama.load(path))
+    return Environment(path.name, path.stem, radiance)
+
+
+@cache
+def _ours(name: str) -> Environment:
     module = import_module(find(name, lights, "light"))
     return Environment(name, module.LABEL, module.radiance)
 

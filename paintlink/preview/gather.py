@@ -6,20 +6,34 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from paintlink.model import FloatArray
 from paintlink.preview import disc
 from paintlink.preview.arrays import Float32Array
 from paintlink.preview.surface import Surface
 from paintlink.preview.view import View
 
 PIXELS_AT_ONCE = 4096
-CORNERS = ((-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0))
+REACH_DEG = 14.0
+"""From the middle of a picture to its sides, in perspective."""
+
+FINE_NODES = (-1.0, 0.0, 1.0)
+COARSE_NODES = (-1.0, 1.0)
 
 TableOf = Callable[[View], Float32Array]
 
 
-def gather(surface: Surface, table_of: TableOf) -> Float32Array:
-    """Table values averaged over the samples of each pixel, shape (k, n)."""
-    look = _looker(surface, table_of)
+def gather(
+    surface: Surface, table_of: TableOf, nodes: Sequence[float] = FINE_NODES
+) -> Float32Array:
+    """Table values averaged over the samples of each pixel, shape (k, n).
+
+    Parameters
+    ----------
+    nodes
+        Where perspective has tables of its own, on both axes, 1 being the side of the
+        picture.
+    """
+    look = _looker(surface, table_of, nodes)
     count = len(surface.pixels)
     ends = np.append(surface.first, len(surface.normals))
     gathered = np.empty((look(slice(0, 0)).shape[1], count), dtype=np.float32)
@@ -32,13 +46,15 @@ def gather(surface: Surface, table_of: TableOf) -> Float32Array:
     return gathered
 
 
-def _looker(surface: Surface, table_of: TableOf) -> Callable[[slice], Float32Array]:
+def _looker(
+    surface: Surface, table_of: TableOf, nodes: Sequence[float]
+) -> Callable[[slice], Float32Array]:
     """Function of a run of samples that gives their values, shape (samples, k)."""
     towards = surface.towards
     if towards is None:
         table = table_of(surface.view)
         return lambda some: disc.look_up(table, surface.normals[some])
-    views, weights = _around(surface.view, towards)
+    views, weights = _around(surface.view, towards, nodes)
     tables = [table_of(view) for view in views]
     mirror = _mirrored(surface.normals, towards)
 
@@ -53,24 +69,33 @@ def _looker(surface: Surface, table_of: TableOf) -> Callable[[slice], Float32Arr
 
 
 def _around(
-    view: View, towards: Float32Array
+    view: View, towards: Float32Array, nodes: Sequence[float]
 ) -> tuple[Sequence[View], Sequence[Float32Array]]:
-    """Four views that enclose all directions, and how much each counts, (m,) each.
+    """Views that enclose all directions, and how much each counts, (m,) each.
 
-    At a fixed mirror direction the light changes so little with the view that mixing
-    four tables is enough.
+    At a fixed mirror direction the light changes so little with the view that mixing a
+    few tables is enough.
     """
-    right = np.degrees(np.arctan2(towards[:, 0], towards[:, 2]))
-    up = np.degrees(np.arcsin(np.clip(towards[:, 1], -1.0, 1.0)))
-    reach = np.ceil(max(np.abs(right).max(), np.abs(up).max(), 1.0))
+    right = np.degrees(np.arctan2(towards[:, 0], towards[:, 2])) / REACH_DEG
+    up = np.degrees(np.arcsin(np.clip(towards[:, 1], -1.0, 1.0))) / REACH_DEG
+    across, along = _shares(right, nodes), _shares(up, nodes)
     views = [
-        View(view.pitch_deg + y * reach, view.yaw_deg + x * reach) for x, y in CORNERS
+        View(view.pitch_deg + y * REACH_DEG, view.yaw_deg + x * REACH_DEG)
+        for x in nodes
+        for y in nodes
     ]
-    weights = [
-        ((0.5 + x * right / reach / 2.0) * (0.5 + y * up / reach / 2.0)).astype("f4")
-        for x, y in CORNERS
-    ]
-    return views, weights
+    return views, [x * y for x in across for y in along]
+
+
+def _shares(place: FloatArray, nodes: Sequence[float]) -> list[Float32Array]:
+    """Lagrange's weights of the nodes at places, (m,) each."""
+    place = np.clip(place, -1.1, 1.1)
+    shares = []
+    for node in nodes:
+        others = [other for other in nodes if other != node]
+        factors = [(place - other) / (node - other) for other in others]
+        shares.append(np.prod(factors, axis=0).astype(np.float32))
+    return shares
 
 
 def _mirrored(normals: Float32Array, towards: Float32Array) -> Float32Array:

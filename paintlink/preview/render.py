@@ -34,6 +34,8 @@ def render(
     backend: Backend = "auto",
     cache_dir: Path | None = None,
     pattern: Pattern = "columns",
+    turn_deg: float = 0.0,
+    perspective: bool = False,
     illustration: Illustration = PLAIN,
 ) -> Picture:
     """Picture of one paint, or of two to four that share the object.
@@ -59,7 +61,7 @@ def render(
     _require_drawable(specs, size)
     require(backend, get_args(Backend), "backend")
     require(pattern, get_args(Pattern), "pattern")
-    shown = form(object)
+    shown = form(object, turn_deg=turn_deg, perspective=perspective)
     coats = [roughness_of(spec.gloss) for spec in specs]
     kinds = tuple(sorted(set(coats)))
     scene = Scene(

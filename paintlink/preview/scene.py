@@ -16,7 +16,7 @@ from paintlink.preview import forms, illustration, store
 from paintlink.preview.arrays import Float32Array
 from paintlink.preview.backdrop import dither
 from paintlink.preview.environment import Environment
-from paintlink.preview.gather import gather
+from paintlink.preview.gather import COARSE_NODES, gather
 from paintlink.preview.illustration import PLAIN, Illustration
 from paintlink.preview.layout import ALONE, Layout
 from paintlink.preview.surface import Surface
@@ -102,7 +102,7 @@ def band(scene: Scene, rows: slice) -> Band:
 
 @lru_cache(maxsize=4)
 def _band(scene: Scene, first: int, last: int) -> Band:
-    surface = _surface(scene.form, scene.size, first, last)
+    surface = _surface(scene.form, scene.size, first, last, scene.cache_dir)
     alone = replace(scene, layout=ALONE)
     row, column = np.divmod(surface.pixels, scene.size)
     span = scene.form.span
@@ -120,8 +120,10 @@ def _band(scene: Scene, first: int, last: int) -> Band:
 
 
 @lru_cache(maxsize=4)
-def _surface(form: forms.Form, size: int, first: int, last: int) -> Surface:
-    return form.surface(size, slice(first, last))
+def _surface(
+    form: forms.Form, size: int, first: int, last: int, cache_dir: Path | None
+) -> Surface:
+    return form.surface(size, slice(first, last), cache_dir)
 
 
 @lru_cache(maxsize=4)
@@ -130,13 +132,19 @@ def _light(scene: Scene, first: int, last: int) -> Float32Array:
 
     Averaging the light is exact for every paint, because paints only weigh it.
     """
-    surface = _surface(scene.form, scene.size, first, last)
+    surface = _surface(scene.form, scene.size, first, last, scene.cache_dir)
     layers, size = scene.illustration, scene.size
     wavy = illustration.with_orange_peel(surface, layers, size)
-    base = gather(surface, partial(store.base_table, scene.light, scene.cache_dir))
+    coarse = surface.towards is not None
+    table = partial(store.base_table, scene.light, scene.cache_dir, coarse=coarse)
+    base = gather(surface, table)
     base *= illustration.grain(surface, layers, size)
     coats = [
-        gather(wavy, partial(store.coat_table, scene.light, coat, scene.cache_dir))
+        gather(
+            wavy,
+            partial(store.coat_table, scene.light, coat, scene.cache_dir),
+            COARSE_NODES,
+        )
         for coat in scene.coats
     ]
     channels, count = scene.light.channels, len(surface.pixels)

@@ -15,9 +15,11 @@ import numpy as np
 from paintlink.preview import bake, coat
 from paintlink.preview.arrays import Float32Array
 from paintlink.preview.environment import Environment
+from paintlink.preview.mesh import Mesh
+from paintlink.preview.occlusion import FLOOR_CELLS, Occlusion, occlusion
 from paintlink.preview.view import FRONT, View
 
-RECIPE = 2
+RECIPE = 3
 """To be raised whenever a table would come out differently from the same light."""
 
 SUFFIX = ".plbasis"
@@ -27,13 +29,17 @@ DIGEST_BYTES = hashlib.sha256().digest_size
 _log = logging.getLogger(__name__)
 
 
-@lru_cache(maxsize=12)
+@lru_cache(maxsize=24)
 def base_table(
-    light: Environment, folder: Path | None, view: View = FRONT
+    light: Environment,
+    folder: Path | None,
+    view: View = FRONT,
+    *,
+    coarse: bool = False,
 ) -> Float32Array:
     """Table of `bake.base_table` for the light, baked at most once."""
-    recipe = f"base {view} {light.digest}"
-    return _kept(recipe, folder, lambda: bake.base_table(light, view))
+    recipe = f"base {view} {coarse} {light.digest}"
+    return _kept(recipe, folder, lambda: bake.base_table(light, view, coarse=coarse))
 
 
 @lru_cache(maxsize=24)
@@ -43,6 +49,20 @@ def coat_table(
     """Table of `coat.coat_table` for the light, baked at most once."""
     recipe = f"coat {roughness} {view} {light.digest}"
     return _kept(recipe, folder, lambda: coat.coat_table(light, roughness, view))
+
+
+@lru_cache(maxsize=8)
+def shade(mesh: Mesh, folder: Path | None) -> Occlusion:
+    """Occlusion of a mesh, found out at most once."""
+    table = _kept(f"shade {mesh.digest}", folder, lambda: _packed(occlusion(mesh)))
+    floor = FLOOR_CELLS**2
+    return Occlusion(
+        table[floor:].reshape(-1, 2), table[:floor].reshape(FLOOR_CELLS, FLOOR_CELLS)
+    )
+
+
+def _packed(shade: Occlusion) -> Float32Array:
+    return np.concatenate([shade.floor.ravel(), shade.vertices.ravel()])
 
 
 def _kept(

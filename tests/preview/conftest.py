@@ -14,6 +14,7 @@ def coarse_bake() -> Iterator[None]:
     """Bakes in little time: for tests in which the colours need not be exact."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(bake, "SIZE", 48)
+        patch.setattr(bake, "COARSE_SIZE", 32)
         patch.setattr(coat, "FINE_SIZE", 64)
         patch.setattr(coat, "COARSE_SIZE", 48)
         forget()
