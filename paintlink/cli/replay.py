@@ -44,6 +44,8 @@ def _document(outcome: Outcome) -> dict[str, Any]:
     value: Any = outcome.value
     if isinstance(value, Measurement):
         value = _measurement(value)
+    elif isinstance(value, tuple):
+        value = [_measurement(one) for one in value]
     elif isinstance(value, Instrument):
         value = asdict(value)
     error = None if outcome.error is None else str(outcome.error)
@@ -71,4 +73,6 @@ def _summary(outcome: Outcome) -> str:
         return f"{codes}, {len(outcome.value.raw)} bytes"
     if isinstance(outcome.value, Instrument):
         return f"{outcome.value.maker} {outcome.value.model} {outcome.value.firmware}"
+    if isinstance(outcome.value, tuple):
+        return f"{len(outcome.value)} stored readings"
     return outcome.value or "done"

@@ -104,7 +104,9 @@ class InstrumentSettings:
         Key(
             "Where it is plugged in. Use a name below /dev/serial/by-id: it stays the "
             "same when cables are moved, /dev/ttyUSB0 does not. An instrument on a "
-            "network adapter has a URL, such as socket://192.168.1.20:4001.",
+            "network adapter has a URL, such as socket://192.168.1.20:4001; one on USB "
+            "without a serial port usb://0765:d020. A name with * is looked for among "
+            "all that fit.",
             "/dev/serial/by-id/usb-FTDI_FT232R_USB_UART_A50285BI-if00-port0",
         ),
     ]
@@ -131,6 +133,25 @@ class InstrumentSettings:
             "and the hand that holds the instrument."
         ),
     ] = 3
+    finish: Annotated[
+        Literal["solid", "metallic", "pearl", "unknown"],
+        Key(
+            "Finish of what this instrument measures. An instrument with a single "
+            'angle serves solid colours only: write "solid" to declare them so.'
+        ),
+    ] = "unknown"
+    calibration_h: Annotated[
+        float,
+        number(0.1, 168),
+        Key("Hours after which the instrument has to be calibrated again."),
+    ] = 8.0
+    calibration_policy: Annotated[
+        Literal["warn", "block"],
+        Key(
+            'What happens then: "warn" says so and takes readings, "block" takes none '
+            "until it is calibrated."
+        ),
+    ] = "warn"
     baud: Annotated[
         Baud | None,
         Key(

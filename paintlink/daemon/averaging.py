@@ -7,8 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from paintlink.color import cie76, reflectance_to_lab
 from paintlink.errors import ReadingError
-from paintlink.model import LabValues, Measurement, Spectra
+from paintlink.model import FloatArray, LabValues, Measurement, Spectra
+
+# Start values: near the mirror angle the hand that holds the instrument shows more.
+NEAR_DEG, NEAR_dE, FAR_dE = 20.0, 2.0, 1.0
+EXTRA_READINGS = 2
 
 
 def average(measurements: Sequence[Measurement]) -> Measurement:
@@ -31,7 +36,51 @@ def average(measurements: Sequence[Measurement]) -> Measurement:
         lab=_mean_lab(measurements),
         averaged=sum(one.averaged for one in measurements),
         raw=b"".join(one.raw for one in measurements),
+        spread=tuple(_distances(measurements).max(axis=0).tolist()),
     )
+
+
+def outlier(measurements: Sequence[Measurement]) -> str:
+    """Why one more reading is wanted; empty when the readings agree.
+
+    They do when no reading lies further from their mean than CIE76 1.0, or 2.0 at
+    aspecular angles up to 20 degrees.
+    """
+    if len(measurements) < 2:
+        return ""
+    largest = _distances(measurements).max(axis=0)
+    for geometry, difference in zip(measurements[0].geometries, largest, strict=True):
+        limit = NEAR_dE if abs(geometry.aspecular_deg) <= NEAR_DEG else FAR_dE
+        if difference > limit:
+            return (
+                f"the readings differ by dE {difference:.1f} at "
+                f"{geometry.aspecular_deg:g} degrees, allowed is {limit:g}"
+            )
+    return ""
+
+
+def without_farthest(measurements: Sequence[Measurement]) -> list[Measurement]:
+    """The measurements but the one that lies farthest from the median of all."""
+    lab = np.stack([_lab_of(one) for one in measurements])
+    distances = cie76(np.median(lab, axis=0), lab).sum(axis=1)
+    farthest = int(np.argmax(distances))
+    return [one for place, one in enumerate(measurements) if place != farthest]
+
+
+def _distances(measurements: Sequence[Measurement]) -> FloatArray:
+    """CIE76 to the mean, shape (measurements, geometries)."""
+    lab = np.stack([_lab_of(one) for one in measurements])
+    return cie76(lab.mean(axis=0), lab)
+
+
+def _lab_of(measurement: Measurement) -> FloatArray:
+    if measurement.lab is not None:
+        return measurement.lab.lab
+    spectra = measurement.spectra
+    if spectra is None:
+        msg = "the reading holds neither spectra nor Lab values"
+        raise ReadingError(msg)
+    return reflectance_to_lab(spectra.wavelengths_nm, spectra.factors)
 
 
 def _mean_spectra(measurements: Sequence[Measurement]) -> Spectra | None:

@@ -52,6 +52,8 @@ def reading_to_json(reading: Reading) -> str:
         "averaged": measured.averaged,
         "data_mode": measured.data_mode,
         "record": measured.record,
+        "spread": measured.spread,
+        "finish": reading.finish,
     })
 
 
@@ -68,6 +70,7 @@ def reading_from_json(text: str, raw: bytes) -> Reading:
         data_mode=data["data_mode"],
         raw=raw,
         record=data.get("record", ""),
+        spread=tuple(data.get("spread", ())),
     )
     calibration = data["calibration"]
     return Reading(
@@ -77,6 +80,7 @@ def reading_from_json(text: str, raw: bytes) -> Reading:
         origin=data["origin"],
         calibration=Calibration(calibration["state"], _time(calibration["at"])),
         sample=data["sample"],
+        finish=data.get("finish", "unknown"),
     )
 
 

@@ -11,6 +11,7 @@ from types import TracebackType
 from typing import Self
 
 from paintlink.daemon.arrivals import Arrivals, sha256
+from paintlink.daemon.bench import Bench
 from paintlink.daemon.database import Database, utc_now
 from paintlink.daemon.deliveries import Deliveries, delivery_from_row
 from paintlink.daemon.documents import (
@@ -46,6 +47,7 @@ class Journal:
         self.path = path
         self._db = Database(path, now)
         self.deliveries = Deliveries(self._db)
+        self.bench = Bench(self._db)
         self._arrivals = Arrivals(self._db)
         self.trail = Trail(self._db)
         self.formulas = Formulas(self._db)

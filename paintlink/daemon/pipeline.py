@@ -24,8 +24,10 @@ LAST_RETRY_S = 5.0  # a share that is back finds its files within ten seconds
 LONGEST_TEXT = 500
 
 
-def specify(reading: Reading, finish: Finish = "unknown") -> ColorSpec:
+def specify(reading: Reading, finish: Finish | None = None) -> ColorSpec:
     """The colour specification of a reading, under the name of its sample.
+
+    The finish is the one declared with the reading unless another one is given.
 
     Characters that no XML file can carry are left out of what the instrument or the
     operator typed; the reading keeps them.
@@ -40,7 +42,9 @@ def specify(reading: Reading, finish: Finish = "unknown") -> ColorSpec:
             _plain(instrument.firmware),
         ),
     )
-    return normalise(cleaned, name=_plain(reading.sample), finish=finish)
+    return normalise(
+        cleaned, name=_plain(reading.sample), finish=finish or reading.finish
+    )
 
 
 def _plain(text: str) -> str:

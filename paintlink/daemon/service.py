@@ -17,6 +17,7 @@ from paintlink.daemon.journal import Journal
 from paintlink.daemon.line import Line
 from paintlink.daemon.render import Render
 from paintlink.daemon.roles import ROLES, Role, RoleLocks
+from paintlink.daemon.scanner import Scanner
 from paintlink.daemon.worker import Worker
 from paintlink.export import load_formats
 from paintlink.intake import Inbox, InboxFolders, load_profiles
@@ -99,6 +100,10 @@ class Service:
         for thread in (*self._workers, *self._instruments):
             thread.start()
         self._hints.start()
+        if self._instruments:
+            ports = [one.port for one in self.settings.instruments]
+            wake = [one.wake for one in self._instruments]
+            Scanner(ports, wake, stop=self.stopped).start()
 
     def stop(self) -> None:
         """End every thread; what is not finished is continued at the next start."""

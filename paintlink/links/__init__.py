@@ -9,6 +9,7 @@ from paintlink.links.capture import (
     Verb,
     read_capture,
 )
+from paintlink.links.hotplug import Hotplug, matches
 from paintlink.links.ports import PortInfo, candidates, is_simulated_path
 from paintlink.links.replay import Outcome, ReplayStream, replay
 from paintlink.links.stream import SerialStream, open_serial
@@ -18,6 +19,7 @@ __all__ = [
     "Capture",
     "CaptureWriter",
     "Event",
+    "Hotplug",
     "Kind",
     "Outcome",
     "PortInfo",
@@ -27,6 +29,7 @@ __all__ = [
     "candidates",
     "is_simulated_path",
     "kind_of",
+    "matches",
     "open_link",
     "open_serial",
     "read_capture",

@@ -16,18 +16,18 @@ from dataclasses import dataclass
 from datetime import datetime
 from io import FileIO
 from pathlib import Path
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, get_args
 
 from paintlink.errors import InputError
 from paintlink.instrument import Direction
 
-Verb = Literal["identify", "calibration", "calibrate", "measure"]
+Verb = Literal["identify", "calibration", "calibrate", "measure", "stored"]
 
 MAGIC = "paintlink-capture"
 VERSION = 1
 
 _log = logging.getLogger(__name__)
-_VERBS: tuple[Verb, ...] = ("identify", "calibration", "calibrate", "measure")
+_VERBS: tuple[Verb, ...] = get_args(Verb)
 _DIRECTIONS: tuple[Direction, ...] = ("sent", "received", "silence")
 
 

@@ -7,16 +7,25 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from paintlink.errors import InputError, LinkError, PaintlinkError
-from paintlink.instrument import Direction, Driver, DriverModule, Link, quoted
+from paintlink.instrument import (
+    Direction,
+    Driver,
+    DriverModule,
+    Link,
+    ReadingMemory,
+    quoted,
+)
 from paintlink.links.capture import Call, Capture, Event, Verb
 from paintlink.model import CalibrationState, Instrument, Measurement
+
+Answer = Instrument | CalibrationState | Measurement | tuple[Measurement, ...] | None
 
 
 class Outcome(NamedTuple):
     """What one captured call gives now: a value, or the error it ended with."""
 
     verb: Verb
-    value: Instrument | CalibrationState | Measurement | None
+    value: Answer
     error: PaintlinkError | None
 
 
@@ -104,12 +113,13 @@ def replay(capture: Capture, module: DriverModule) -> Iterator[Outcome]:
 
 
 def _outcome(driver: Driver, verb: Verb) -> Outcome:
-    verbs: dict[Verb, Callable[[], Instrument | CalibrationState | Measurement | None]]
+    verbs: dict[Verb, Callable[[], Answer]]
     verbs = {
         "identify": driver.identify,
         "calibration": driver.calibration,
         "calibrate": lambda: driver.calibrate(_no_operator),
         "measure": lambda: driver.measure(_no_operator),
+        "stored": lambda: _stored(driver),
     }
     try:
         return Outcome(verb, verbs[verb](), None)
@@ -117,6 +127,10 @@ def _outcome(driver: Driver, verb: Verb) -> Outcome:
         raise
     except PaintlinkError as error:
         return Outcome(verb, None, error)
+
+
+def _stored(driver: Driver) -> tuple[Measurement, ...]:
+    return tuple(driver.stored()) if isinstance(driver, ReadingMemory) else ()
 
 
 def _no_operator(_sentence: str) -> None:

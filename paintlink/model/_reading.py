@@ -12,6 +12,7 @@ from paintlink.model._base import (
     GLOSS_ANGLES_DEG,
     GLOSS_RANGE_GU,
     CalibrationState,
+    Finish,
     FloatArray,
     Illuminant,
     Observer,
@@ -144,7 +145,8 @@ class Measurement:
     Either ``spectra`` or ``lab`` is present (or both), one row per geometry.
     ``raw`` holds the bytes the values were read from. ``record`` is the instrument's
     own number or time of this reading, by which a repeated transfer is recognised;
-    empty when it has none.
+    empty when it has none. ``spread`` is the largest CIE76 difference of an averaged
+    reading to the mean, one per geometry; empty for a single one.
     """
 
     geometries: tuple[Geometry, ...]
@@ -156,6 +158,7 @@ class Measurement:
     data_mode: str = ""
     raw: bytes = b""
     record: str = ""
+    spread: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
         if self.spectra is None and self.lab is None:
@@ -175,7 +178,7 @@ class Reading:
     """A measurement with everything needed to trust it: who, when, in which state.
 
     ``taken_at`` is an aware time in UTC. ``sample`` is what the operator called the
-    object under the instrument.
+    object under the instrument, ``finish`` what the operator declared it to be.
     """
 
     measurement: Measurement
@@ -184,6 +187,7 @@ class Reading:
     origin: Origin
     calibration: Calibration = Calibration()
     sample: str = ""
+    finish: Finish = "unknown"
 
     def __post_init__(self) -> None:
         if self.taken_at.tzinfo is None:
