@@ -36,6 +36,7 @@ COMMANDS = {
     "simulate": "simulate",
     "sketch": "sketch",
     "snap": "snap",
+    "tile": "tile",
     "trace": "trace",
     "validate": "validate",
 }

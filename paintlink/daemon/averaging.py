@@ -61,7 +61,7 @@ def outlier(measurements: Sequence[Measurement]) -> str:
 
 def without_farthest(measurements: Sequence[Measurement]) -> list[Measurement]:
     """The measurements but the one that lies farthest from the median of all."""
-    lab = np.stack([_lab_of(one) for one in measurements])
+    lab = np.stack([lab_of(one) for one in measurements])
     distances = cie76(np.median(lab, axis=0), lab).sum(axis=1)
     farthest = int(np.argmax(distances))
     return [one for place, one in enumerate(measurements) if place != farthest]
@@ -69,11 +69,12 @@ def without_farthest(measurements: Sequence[Measurement]) -> list[Measurement]:
 
 def _distances(measurements: Sequence[Measurement]) -> FloatArray:
     """CIE76 to the mean, shape (measurements, geometries)."""
-    lab = np.stack([_lab_of(one) for one in measurements])
+    lab = np.stack([lab_of(one) for one in measurements])
     return cie76(lab.mean(axis=0), lab)
 
 
-def _lab_of(measurement: Measurement) -> FloatArray:
+def lab_of(measurement: Measurement) -> FloatArray:
+    """Lab D65, observer 10, of each geometry, shape (geometries, 3)."""
     if measurement.lab is not None:
         return measurement.lab.lab
     spectra = measurement.spectra

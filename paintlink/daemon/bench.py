@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sqlite3
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime
 from typing import Literal
@@ -21,21 +22,21 @@ class TileCheck:
     """One reading of a check tile.
 
     ``drift`` is its CIE76 difference to the first one of the same tile on the same
-    instrument, one per angle.
+    instrument, by the angles both have; empty for the first one.
     """
 
     tile: str
     at: datetime
     angles_deg: tuple[float, ...]
     lab: tuple[Lab, ...]
-    drift: tuple[float, ...]
+    drift: Mapping[float, float]
 
     @property
     def verdict(self) -> Verdict:
         """What the largest difference means."""
         if not self.drift:
             return "first"
-        largest = max(self.drift)
+        largest = max(self.drift.values())
         if largest >= ALARM_dE:
             return "alarm"
         return "warning" if largest >= WARN_dE else "steady"
@@ -99,18 +100,17 @@ def _check_from(row: sqlite3.Row, first: TileCheck | None) -> TileCheck:
     angles = tuple(data["angles_deg"])
     lab = tuple(Lab(*one) for one in data["lab"])
     at = datetime.fromisoformat(row["at"])
-    drift = _drift(first, angles, lab) if first else ()
+    drift = _drift(first, angles, lab) if first else {}
     return TileCheck(row["tile"], at, angles, lab, drift)
 
 
 def _drift(
     first: TileCheck, angles: tuple[float, ...], lab: tuple[Lab, ...]
-) -> tuple[float, ...]:
+) -> dict[float, float]:
     """Differences at the angles that the first reading has as well."""
     then = dict(zip(first.angles_deg, first.lab, strict=True))
-    pairs = [
-        (then[angle], now)
+    return {
+        angle: float(cie76(then[angle], now))
         for angle, now in zip(angles, lab, strict=True)
         if angle in then
-    ]
-    return tuple(float(cie76(before, now)) for before, now in pairs)
+    }

@@ -10,7 +10,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from paintlink.daemon.arrivals import Arrivals, sha256
+from paintlink.daemon.arrivals import Arrivals, reading_key, sha256
 from paintlink.daemon.bench import Bench
 from paintlink.daemon.database import Database, utc_now
 from paintlink.daemon.deliveries import Deliveries, delivery_from_row
@@ -89,6 +89,11 @@ class Journal:
         A reading that is known already, from whatever file, keeps its first job.
         """
         return self._arrivals.readings(name, content_sha256, colours)
+
+    def knows(self, reading: Reading) -> bool:
+        """Whether this very reading was accepted before."""
+        key = reading_key(reading)
+        return self._db.one("SELECT 1 FROM readings WHERE key = ?", key) is not None
 
     def accept_file(self, name: str, content_sha256: str, spec: ColorSpec) -> str:
         """Token of the job for a specification that arrived as a file."""

@@ -95,11 +95,18 @@ def _locked(descriptor: int) -> bool:
 
 def _open(state_folder: Path, name: str) -> tuple[int, int]:
     folder = state_folder / FOLDER
-    folder.mkdir(parents=True, exist_ok=True)
     # A name may hold what no file name may, and two names may differ in that alone.
     stem = hashlib.sha256(name.encode()).hexdigest()[:16]
-    use, queue = (
-        os.open(folder / f"{stem}.{kind}", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o660)
-        for kind in ("use", "queue")
-    )
-    return use, queue
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        return _lock_file(folder / f"{stem}.use"), _lock_file(folder / f"{stem}.queue")
+    except OSError as error:
+        msg = (
+            f"{name} cannot be had: {error.strerror} at {error.filename}: run the "
+            "command as the user of the service, or check [state] folder"
+        )
+        raise LinkError(msg) from error
+
+
+def _lock_file(path: Path) -> int:
+    return os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o660)

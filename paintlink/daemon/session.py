@@ -20,7 +20,13 @@ from paintlink.daemon.averaging import (
 )
 from paintlink.daemon.captures import Recorder
 from paintlink.daemon.database import utc_now
-from paintlink.errors import InstrumentError, WrongInstrumentError
+from paintlink.errors import (
+    CancelledError,
+    InstrumentError,
+    LinkError,
+    ProtocolError,
+    WrongInstrumentError,
+)
 from paintlink.instrument import (
     ByteStream,
     Confirming,
@@ -209,10 +215,17 @@ class Session:
             instrument=self.instrument,
             taken_at=self._now(),
             origin=self.origin,
-            calibration=Calibration(self.calibration(), calibrated_at),
+            calibration=Calibration(self._state(), calibrated_at),
             sample=sample,
             finish=self._settings.finish,
         )
+
+    def _state(self) -> CalibrationState:
+        # The reading is whole: nothing that happens now may cost it.
+        try:
+            return self.calibration()
+        except (LinkError, ProtocolError, InstrumentError, CancelledError):
+            return "unknown"
 
     def _captured(self, verb: Verb) -> Driver:
         """The driver, once the capture knows what it is about to be asked."""

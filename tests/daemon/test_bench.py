@@ -106,12 +106,12 @@ def test_drift_is_counted_from_the_first_reading_of_the_tile(desk: Desk) -> None
     )
     alarm = bench.check_tile("CR30", "green", (45.0,), [green[1]._replace(L=42.0)])
 
-    assert (first.verdict, first.drift) == ("first", ())
-    assert steady.drift == pytest.approx((0.3, 0.0))
+    assert (first.verdict, first.drift) == ("first", {})
+    assert steady.drift == pytest.approx({15.0: 0.3, 45.0: 0.0})
     assert [one.verdict for one in (steady, warning, alarm)] == [
         *("steady", "warning", "alarm"),
     ]
-    assert alarm.drift == pytest.approx((2.0,))
+    assert alarm.drift == pytest.approx({45.0: 2.0})
     assert len(bench.tile_checks("CR30")) == 5
     assert len(bench.tile_checks("CR30", "green")) == 4
     assert bench.tile_checks("another") == ()

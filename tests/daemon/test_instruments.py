@@ -86,7 +86,6 @@ def test_replugged_instrument_is_back_within_three_seconds(
 
     port.unplug()
     desk.until_state("lost")
-    assert "lost: check the plug" in desk.status().text
     if not name:
         port._link = desk.folder / "ttyUSB1"
     start = time.monotonic()
