@@ -18,7 +18,7 @@ from paintlink.cli.output import (
 if TYPE_CHECKING:
     from paintlink.config import SnapSettings
     from paintlink.model import ColorSpec, Finish, Match, PaintTable
-    from paintlink.snap import Answer, Options
+    from paintlink.snap import Answer, Forecast, Options
 
 BAND_COLORS = {"green": "green", "amber": "yellow", "red": "red"}
 GRAPH_MATCHES = 10
@@ -166,6 +166,9 @@ def print_answer(
 
     for sentence in sentences(found.findings):
         click.secho(f"! {sentence}", fg="yellow")
+    if found.forecast is not None:
+        color = "green" if found.forecast.likely else "yellow"
+        click.secho(found.forecast.sentence, fg=color)
 
 
 def print_matches(
@@ -230,6 +233,17 @@ def answer_document(found: Answer) -> dict[str, Any]:
         "variants": found.variants,
         "confidence": asdict(found.confidence),
         "findings": findings_document(found.findings),
+        "forecast": _forecast_document(found.forecast),
+    }
+
+
+def _forecast_document(forecast: Forecast | None) -> dict[str, Any] | None:
+    if forecast is None:
+        return None
+    return {
+        "chance": forecast.chance,
+        "suggestion": forecast.suggestion.tolist(),
+        "away": forecast.away,
     }
 
 

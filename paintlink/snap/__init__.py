@@ -5,6 +5,7 @@ from paintlink.snap.cache import INDEXES
 from paintlink.snap.conditions import STANDARD_ANGLES_DEG
 from paintlink.snap.confidence import Confidence, confidence
 from paintlink.snap.diagnosis import Finding, Limits, diagnose, sentences
+from paintlink.snap.makeable import Forecast, forecast
 from paintlink.snap.search import nearest, nearest_of_all
 from paintlink.snap.verdict import BAND_LABELS, Band, band, starting_paint
 from paintlink.snap.words import words
@@ -17,12 +18,14 @@ __all__ = [
     "Band",
     "Confidence",
     "Finding",
+    "Forecast",
     "Limits",
     "Options",
     "answer",
     "band",
     "confidence",
     "diagnose",
+    "forecast",
     "nearest",
     "nearest_of_all",
     "sentences",

@@ -11,6 +11,7 @@ from paintlink.model import ColorSpec, Match, PaintTable
 from paintlink.snap.confidence import REPEATABILITY, Confidence, confidence
 from paintlink.snap.diagnosis import Finding, Limits, diagnose
 from paintlink.snap.grown import Mask
+from paintlink.snap.makeable import ANGLES_DEG, Forecast, forecast
 from paintlink.snap.search import nearest
 
 FEWEST_LOOKED_AT = 50
@@ -50,6 +51,9 @@ class Answer:
         Ranks of matches that are variants of one paint.
     findings
         What was looked at, see `Finding.told`.
+    forecast
+        Whether the virtual paint system can make the colour; None for libraries of
+        other paints, and for targets without the angles it needs.
     """
 
     matches: tuple[Match, ...]
@@ -59,6 +63,7 @@ class Answer:
     variants: tuple[tuple[int, ...], ...]
     confidence: Confidence
     findings: tuple[Finding, ...]
+    forecast: Forecast | None = None
 
 
 def answer(
@@ -93,7 +98,15 @@ def answer(
         variants=_variants(matches, table),
         confidence=confidence(spec, seen, options.repeatability),
         findings=diagnose(spec, seen, table, options.limits),
+        forecast=_forecast(spec, table),
     )
+
+
+def _forecast(spec: ColorSpec, table: PaintTable) -> Forecast | None:
+    has_angles = set(ANGLES_DEG) <= set(spec.angles_deg)
+    if not (table.synthetic and has_angles and spec.observer == "10"):
+        return None
+    return forecast(spec)
 
 
 def _second_ranks(
