@@ -85,7 +85,7 @@ def test_convert_to_unknown_format_lists_known(run: Run, spec_file: Path) -> Non
     done = run("convert", spec_file, "--to", "pdf")
 
     assert done.returncode == 2
-    assert "no export format 'pdf'; there are colornet, csv, json" in done.stderr
+    assert "no export format 'pdf'; there are colornet, csv, cxf3, json" in done.stderr
 
 
 def test_export_delivers_with_a_starting_paint(
