@@ -58,6 +58,9 @@ Exit codes:
 )
 @click.option("--geometry", default="", help="Geometry of values that name none.")
 @click.option("--data-mode", default="", help="Mode to take from files with several.")
+@click.option(
+    "--average", is_flag=True, help="Take the mean of all readings of one name."
+)
 @click.option("--time-zone", help="Zone of times without one, such as Europe/Berlin.")
 @click.option(
     "--profile",
@@ -85,6 +88,7 @@ def command(
     format_id: str,
     list_formats: bool,
     make_profile: bool,
+    average: bool,
     output: Path | None,
     as_json: bool,
     config: Path | None,
@@ -108,6 +112,8 @@ def command(
     settings = settings_of(config)
     options = _options(settings, **hints)
     reports = _reports(files, format_id, options)
+    if average:
+        reports = map(_averaged, reports)
     if dry_run:
         done = list(reports)
     elif folder is not None:
@@ -198,6 +204,14 @@ def _reports(
 
     for path in _progress(files):
         yield report_on(path, format_id, options)
+
+
+def _averaged(report: Report) -> Report:
+    from dataclasses import replace
+
+    from paintlink.daemon.imports import averaged
+
+    return replace(report, found=report.found and averaged(report.found))
 
 
 def _progress(files: Sequence[Path]) -> Iterable[Path]:

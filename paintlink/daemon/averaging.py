@@ -22,7 +22,8 @@ def average(measurements: Sequence[Measurement]) -> Measurement:
     Raises
     ------
     ReadingError
-        When they were not taken at the same geometries.
+        When they were not taken at the same geometries, in the same data mode, with
+        the same conditions and wavelengths.
     """
     first = measurements[0]
     if len(measurements) == 1:
@@ -30,6 +31,7 @@ def average(measurements: Sequence[Measurement]) -> Measurement:
     if any(one.geometries != first.geometries for one in measurements):
         msg = "readings of one sample were taken at different geometries: take it again"
         raise ReadingError(msg)
+    _require_alike(measurements)
     return replace(
         first,
         spectra=_mean_spectra(measurements),
@@ -82,6 +84,30 @@ def lab_of(measurement: Measurement) -> FloatArray:
         msg = "the reading holds neither spectra nor Lab values"
         raise ReadingError(msg)
     return reflectance_to_lab(spectra.wavelengths_nm, spectra.factors)
+
+
+def _require_alike(measurements: Sequence[Measurement]) -> None:
+    modes = sorted({one.data_mode or "none" for one in measurements})
+    if len(modes) > 1:
+        msg = (
+            f"readings of one sample were taken in the data modes {', '.join(modes)}, "
+            "which give different numbers for one panel: take it again in one mode"
+        )
+        raise ReadingError(msg)
+    if len({_conditions(one) for one in measurements}) > 1:
+        msg = (
+            "readings of one sample hold Lab or spectra of different kinds: take it "
+            "again with the same settings"
+        )
+        raise ReadingError(msg)
+
+
+def _conditions(measurement: Measurement) -> tuple[object, ...]:
+    spectra, lab = measurement.spectra, measurement.lab
+    return (
+        spectra and spectra.wavelengths_nm.tobytes(),
+        lab and (lab.illuminant, lab.observer),
+    )
 
 
 def _mean_spectra(measurements: Sequence[Measurement]) -> Spectra | None:

@@ -16,7 +16,9 @@ _BARE = re.compile(r"[-+]?\d{1,3}(?:\.\d+)?", re.ASCII)
 # Lamp and detector at 45 and 0 degrees in either order: seen 45 degrees off the gloss.
 _NORMAL = re.compile(r"45[:/]0[a-z]?|0[:/]45[a-z]?|45/?n|45_0", re.IGNORECASE)
 _SPHERE = re.compile(r"sphere|sp[ie]n|sc[ie]|d[:/]?[08]|[08][:/]d|\d+d", re.IGNORECASE)
-_SIDE = re.compile(r"[\s_(-]*\b(dp|left|right)\b\)?", re.IGNORECASE)
+_SIDE = re.compile(
+    r"[\s_(-]*(?<![A-Za-z])(dp|left|right)(?![A-Za-z])\)?", re.IGNORECASE
+)
 
 
 @lru_cache(maxsize=4096)

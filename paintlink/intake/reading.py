@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 import hashlib
+import logging
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from paintlink.color import normalise
-from paintlink.errors import ConfigError, InputError
-from paintlink.instrument import did_you_mean
+from paintlink.errors import ConfigError, InputError, PaintlinkError
+from paintlink.instrument import did_you_mean, quoted
 from paintlink.intake.contract import Certainty, Colour, Importer, Options
 from paintlink.intake.registry import importers
 from paintlink.intake.source import Source, open_source
 from paintlink.model import ColorSpec, Reading
+
+log = logging.getLogger(__name__)
+
+FAULT = "a fault of the program met in this file"
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,8 +94,9 @@ def read_any(
     source = (
         Source(name or "file", file) if isinstance(file, bytes) else open_source(file)
     )
-    importer = _chosen(source, format_id)
-    contents = importer.read(source, options)
+    with _named_faults(source):
+        importer = _chosen(source, format_id)
+        contents = importer.read(source, options)
     items = [_spec_item(spec, options) for spec in contents.specs]
     items += [_colour_item(colour, options) for colour in contents.colours]
     if not items:
@@ -101,6 +109,22 @@ def read_any(
         items=tuple(items),
         notes=tuple(dict.fromkeys(contents.notes)),
     )
+
+
+@contextmanager
+def _named_faults(source: Source) -> Iterator[None]:
+    """A fault of an importer, which may be anybody's, refuses only this file."""
+    try:
+        yield
+    except PaintlinkError:
+        raise
+    except Exception as error:
+        log.exception("%s: fault of an importer", source.name)
+        msg = (
+            f"{FAULT} ({type(error).__name__}: {quoted(str(error))}): report it with "
+            "this file"
+        )
+        raise source.fault("", msg) from error
 
 
 def _chosen(source: Source, format_id: str) -> Importer:

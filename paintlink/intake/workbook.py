@@ -23,16 +23,18 @@ Cell = str | float | bool | datetime
 ZIP_MARK = b"PK\x03\x04"
 MAX_MEMBERS = 2000
 MAX_INFLATED = 96 << 20
-MAX_COLUMNS = 512
-MAX_ROWS = 100_000
 MAX_CELLS = 4_000_000
 
 _NEEDED = re.compile(
     r"\[Content_Types\]\.xml|_rels/\.rels|xl/(?:workbook|styles|sharedStrings)\.xml"
     r"|xl/_rels/workbook\.xml\.rels|xl/worksheets/[^/]+\.xml"
 )
-_REFERENCE = re.compile(rb"""\br\s*=\s*["']([A-Za-z]*)(\d+)["']""")
-_CELL = re.compile(rb"<(?:\w+:)?c[\s/>]")
+# Cells beyond column AZ or row 76 999.
+_FAR = re.compile(
+    rb'<c r="(?:[B-Zb-z][A-Za-z]|[A-Za-z]{3}'
+    rb"|[A-Za-z]{1,2}(?:\d{6}|7[7-9]\d{3}|[89]\d{4}))"
+)
+_REFERENCE = re.compile(r"([A-Za-z]{1,3})(\d{1,7})", re.ASCII)
 
 
 class Workbook:
@@ -135,18 +137,17 @@ def _inflated(source: Source, archive: zipfile.ZipFile) -> Iterator[tuple[str, b
 
 def _require_small(source: Source, name: str, data: bytes) -> None:
     """Refuse a sheet whose cells lie further apart than those of any export."""
-    cells = len(_CELL.findall(data))
-    columns = rows = 0
-    references = {match.groups() for match in _REFERENCE.finditer(data)}
-    for letters, digits in references:
-        columns = max(columns, _column(letters))
-        rows = max(rows, int(digits[:9]))
-    if (
-        cells > MAX_CELLS
-        or columns > MAX_COLUMNS
-        or rows > MAX_ROWS
-        or columns * rows > MAX_CELLS
-    ):
+    if b"\0" in data[:200] or b"<!" in data:
+        raise damaged(source)
+    cells = data.count(b"<c") - data.count(b"<col") + data.count(b":c")
+    if cells > MAX_CELLS:
+        msg = f"more than {MAX_CELLS} cells: split the export"
+        raise source.fault(name, msg)
+    # As all programs write it, each cell begins with its place.
+    if cells == data.count(b'<c r="') and not _FAR.search(data):
+        return
+    rows, columns = _extent(source, data)
+    if rows * columns > MAX_CELLS:
         msg = (
             f"the sheet reaches to row {rows}, column {columns}: export the readings "
             "without empty cells around them"
@@ -154,10 +155,44 @@ def _require_small(source: Source, name: str, data: bytes) -> None:
         raise source.fault(name, msg)
 
 
-def _column(letters: bytes) -> int:
+def _extent(source: Source, data: bytes) -> tuple[int, int]:
+    """The last row and column; cells without a place follow the one before."""
+    from paintlink.errors import SpecError
+    from paintlink.spec import safe_root_of_text
+
+    try:
+        root = safe_root_of_text(data.decode())
+    except (SpecError, UnicodeDecodeError) as error:
+        raise damaged(source) from error
+    row = rows = columns = 0
+    for line in root.iter("{*}row"):
+        row = _row_number(source, line.get("r"), row + 1)
+        column = 0
+        for cell in line.iterchildren("{*}c"):
+            place = cell.get("r")
+            row, column = (row, column + 1) if place is None else _place(source, place)
+            rows, columns = max(rows, row), max(columns, column)
+    return rows, columns
+
+
+def _row_number(source: Source, text: str | None, following: int) -> int:
+    if text is None:
+        return following
+    return _place(source, f"A{text}")[0]
+
+
+def _place(source: Source, text: str) -> tuple[int, int]:
+    """Row and column of a place such as ``B12``."""
+    place = _REFERENCE.fullmatch(text)
+    if place is None:
+        raise damaged(source)
+    return int(place[2]), _column(place[1])
+
+
+def _column(letters: str) -> int:
     number = 0
-    for letter in letters[:4].upper():
-        number = 26 * number + letter - 64
+    for letter in letters.upper():
+        number = 26 * number + ord(letter) - 64
     return number
 
 

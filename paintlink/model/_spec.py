@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from datetime import datetime
 from itertools import pairwise
@@ -73,7 +74,9 @@ class Spectrum:
         name = f"spectrum at {self.aspecular_deg:g}"
         for field in ("aspecular_deg", "start_nm", "step_nm"):
             object.__setattr__(self, field, number(getattr(self, field), name, field))
-        factors = tuple(number(value, name, "factor") for value in self.factors)
+        factors = tuple([float(value) + 0.0 for value in self.factors])
+        if not all(map(math.isfinite, factors)):
+            factors = tuple(number(value, name, "factor") for value in self.factors)
         if len(factors) < 2 or self.step_nm <= 0:
             msg = "a spectrum needs at least two factors and a wavelength step above 0"
             raise SpecError(msg, element=name)

@@ -9,6 +9,7 @@ import pytest
 
 from paintlink.errors import InputError
 from paintlink.intake import Import, importers, read_any
+from paintlink.intake.reading import FAULT
 from tests.intake.mutations import crc, mutants
 
 FORMATS = sorted(importers())
@@ -33,6 +34,7 @@ def outcome(format_id: str, data: bytes) -> str:
     if isinstance(end, str):
         assert end.startswith("mutant"), f"no place in {end}"
         assert len(end) < 1500
+        assert FAULT not in end, f"document {crc(data):08x}: {data[:300]!r}"
     return "refused" if isinstance(end, str) else "read"
 
 

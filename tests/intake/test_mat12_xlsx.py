@@ -312,3 +312,38 @@ def test_archive_of_thousands_of_files_is_refused() -> None:
 
     with pytest.raises(InputError, match="more than 2000 files in the workbook"):
         read_any(target.getvalue(), name="qc.xlsx")
+
+
+def sheet(body: bytes) -> bytes:
+    return b"<worksheet><sheetData>" + body + b"</sheetData></worksheet>"
+
+
+CELL = b"<c><v>1</v></c>"
+HIDDEN = {
+    "cells and rows without places": sheet(
+        b"<row>" + CELL * 30_000 + b"</row>" + (b"<row>" + CELL + b"</row>") * 30_000
+    ),
+    "a far cell behind a prefix": sheet(
+        b'<x:row r="1048576"><x:c r="XFD1048576"><x:v>1</x:v></x:c></x:row>'
+        b'<row r="1"><c r="A1"><v>1</v></c></row>'
+    ).replace(b"<worksheet>", b'<worksheet xmlns:x="urn:x">'),
+    "a far cell in small letters": sheet(
+        b'<row r="1"><c r="a1"><v>1</v></c><c r="xfd1048576"><v>1</v></c></row>'
+    ),
+    "a far cell whose place comes second": sheet(
+        b'<row r="1"><c r="A1"><v>1</v></c><c s="1" r="XFD999999"><v>1</v></c></row>'
+    ),
+    "markup that a parser passes over": sheet(
+        b"<!-- <c r=\"A1\"> --><row>" + CELL * 3 + b"</row>"
+    ),
+    "places padded with noughts": sheet(
+        b'<row r="1"><c r="A1"><v>1</v></c><c r="A0001048576"><v>1</v></c>'
+        b'<c r="XFD1"><v>1</v></c></row>'
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", HIDDEN)
+def test_places_of_cells_cannot_be_hidden(name: str) -> None:
+    with pytest.raises(InputError, match=r"qc\.xlsx.*(damaged|without empty cells)"):
+        read_any(repacked(sheet1=HIDDEN[name]), name="qc.xlsx")

@@ -143,7 +143,7 @@ class _Sheet:
         """Numbers in some cells of a row."""
         cells = place.cells
         found = [cells[i] for i in columns]
-        if {type(cell) for cell in found} == {float}:
+        if set(map(type, found)) == {float}:
             return found  # type: ignore[return-value]
         return [self._number(place, i) for i in columns]
 
