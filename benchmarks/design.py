@@ -30,7 +30,7 @@ CHAIN = (
 
 def main() -> None:
     """Print a table for each renderer and size."""
-    design = Design("benchmark", from_library(bundled(), "BM430"))
+    design = Design("benchmark", from_library(bundled(), "BM336"))
     for name, values in CHAIN:
         design = design.apply(make_step(name, values))
     spec = design.spec

@@ -1,4 +1,4 @@
-"""The paint library: the bundled stand-in, look-up, filters and statistics."""
+"""The paint library: the bundled virtual paints, look-up, filters and statistics."""
 
 from paintlink.library.facets import FacetChoice, facet_of, parse_choices
 from paintlink.library.filters import INDEX_NAMES, Filter, IndexName, Range
@@ -14,20 +14,24 @@ from paintlink.library.measures import (
 from paintlink.library.munsell import munsell
 from paintlink.library.shelf import MUNSELL, VIRTUAL, Entry, Shelf
 from paintlink.library.store import bundled
+from paintlink.library.virtual import Book, Ingredient, book
 
 __all__ = [
     "INDEX_NAMES",
     "MUNSELL",
     "VIRTUAL",
+    "Book",
     "Entry",
     "FacetChoice",
     "Filter",
     "Histogram",
     "IndexName",
     "Indices",
+    "Ingredient",
     "Range",
     "Shelf",
     "Statistics",
+    "book",
     "bundled",
     "facet_of",
     "find",

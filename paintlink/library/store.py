@@ -5,6 +5,8 @@ from __future__ import annotations
 import hashlib
 import io
 import zipfile
+import zlib
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 from typing import Any, cast
@@ -15,7 +17,7 @@ from numpy.typing import NDArray
 from paintlink.errors import LibraryError
 from paintlink.model import Finish, FloatArray, Observer, PaintTable
 
-BUNDLED = Path(__file__).parent / "data" / "standin.npz"
+BUNDLED = Path(__file__).parent / "data" / "virtual.npz"
 COLUMNS = (
     "library",
     "synthetic",
@@ -36,14 +38,16 @@ UNREADABLE = (
     KeyError,
     RuntimeError,
     zipfile.BadZipFile,
+    zlib.error,
 )
 
 
 @cache
 def bundled() -> PaintTable:
-    """The stand-in library that comes with paintlink: 6000 invented paints.
+    """The library that comes with paintlink: 6000 virtual paints, invented.
 
     It is not data of any paint maker, and says so in its name and in ``synthetic``.
+    Formulas and spectra: `paintlink.library.virtual`.
     """
     return load(BUNDLED)
 
@@ -62,17 +66,32 @@ def load(path: Path) -> PaintTable:
     LibraryError
         When the file is missing, damaged or something else.
     """
+    data, read = _read(path, COLUMNS)
+    return _table(read, hashlib.sha256(data).hexdigest()[:GENERATION_LENGTH])
+
+
+def columns(path: Path, *names: str) -> dict[str, NDArray[Any]]:
+    """Columns of a library file by name.
+
+    Raises
+    ------
+    LibraryError
+        When the file is missing, damaged or has no such column.
+    """
+    return _read(path, names)[1]
+
+
+def _read(path: Path, names: Iterable[str]) -> tuple[bytes, dict[str, NDArray[Any]]]:
     try:
         data = path.read_bytes()
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
-            columns = {name: _column(archive, name) for name in COLUMNS}
+            return data, {name: _column(archive, name) for name in names}
     except FileNotFoundError as error:
         msg = f"paint library {path} is missing: {_remedy(path)}"
         raise LibraryError(msg) from error
     except UNREADABLE as error:
         msg = f"paint library {path} cannot be read ({error!r}): {_remedy(path)}"
         raise LibraryError(msg) from error
-    return _table(columns, hashlib.sha256(data).hexdigest()[:GENERATION_LENGTH])
 
 
 def _column(archive: zipfile.ZipFile, name: str) -> NDArray[Any]:

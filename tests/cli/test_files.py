@@ -99,7 +99,7 @@ def test_export_delivers_with_a_starting_paint(
     text = (tmp_path / answer["file"]).read_text()
     assert done.returncode == 0
     assert "<startingPaint>" in text
-    assert "Stand-in 6000 (synthetic)" in text
+    assert "Virtual 6000 (synthetic)" in text
 
 
 def test_export_into_missing_folder_says_create_it(run: Run, spec_file: Path) -> None:

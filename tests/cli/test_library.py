@@ -27,14 +27,14 @@ def test_stats_count_every_paint_in_its_drawer(run: Run) -> None:
 def test_list_narrows_by_text_finish_and_index(run: Run) -> None:
     done = run(
         "library", "list", "ruby", "--finish", "pearl", "--drawer", "red",
-        "--flop", "6.7", "7.1", "-n", "500", "--json",
+        "--flop", "7.0", "7.4", "-n", "500", "--json",
     )  # fmt: skip
 
     paints = json.loads(done.stdout)
     assert paints
     assert all("Ruby" in paint["name"] for paint in paints)
     assert {paint["finish"] for paint in paints} == {"pearl"}
-    assert all(6.7 <= paint["flop_index"] <= 7.1 for paint in paints)
+    assert all(7.0 <= paint["flop_index"] <= 7.4 for paint in paints)
 
 
 def test_list_says_how_many_more_there_are(run: Run) -> None:

@@ -158,7 +158,8 @@ def test_refuses_a_filter_of_another_library() -> None:
 
 def test_design_more_chromatic_than_the_book_finds_rm209() -> None:
     table = bundled()
-    design = make_target([[60.0, 84.0, 52.0], [31.0, 72.0, 46.0], [18.0, 44.0, 26.0]])
+    lab = paint_spec(table, find(table, "RM209")).lab(15.0, 45.0, 110.0)
+    design = make_target(lab * [1.0, 1.35, 1.35])
 
     best = nearest(design, table, mask=np.array(table.finishes) != "solid")[0]
 

@@ -5,6 +5,7 @@ docs/paint-model.md.
 """
 
 from paintlink_simulators.paint.booth import PANEL_ANGLES_DEG, SprayBooth
+from paintlink_simulators.paint.bundled import book
 from paintlink_simulators.paint.model import reflect
 from paintlink_simulators.paint.noise import (
     EXACT,
@@ -52,6 +53,7 @@ __all__ = [
     "Toner",
     "Variation",
     "amounts",
+    "book",
     "formula",
     "noisy",
     "panel_from_lab",

@@ -1,0 +1,1 @@
+"""How the bundled library of virtual paints is made; see ``tools/make_library.py``."""
