@@ -68,10 +68,9 @@ class Converter:
 
     def _columns(self, rows: list[Row]) -> list[Column]:
         width = self._layout.width
-        for row in rows:
-            if len(row) != width:
-                msg = f"it has {len(row)} cells where the heading has {width}"
-                raise RowError(msg)
+        if set(map(len, rows)) != {width}:
+            msg = f"it has {len(rows[0])} cells where the heading has {width}"
+            raise RowError(msg)
         return list(zip(*rows, strict=True))
 
     def _lab(self, columns: list[Column]) -> FloatArray:
@@ -110,8 +109,9 @@ class Converter:
         return ("",) * len(columns[0]) if place is None else _stripped(columns[place])
 
     def _known_finishes(self, columns: list[Column]) -> tuple[Finish, ...]:
-        texts = self._texts(columns, "finish")
-        known = {text: self._finish(text) for text in set(texts)}
+        place = self._layout.texts.get("finish")
+        texts = ("",) * len(columns[0]) if place is None else columns[place]
+        known = {text: self._finish(text.strip()) for text in set(texts)}
         return tuple(map(known.__getitem__, texts))
 
     def _finish(self, text: str) -> Finish:
@@ -140,7 +140,7 @@ class Converter:
 
     def _distinct(self, columns: list[Column], field: str) -> set[str]:
         place = self._layout.texts.get(field)
-        return set() if place is None else set(_stripped(columns[place]))
+        return set() if place is None else set(map(str.strip, set(columns[place])))
 
     def _first_observer(self, rows: list[Row]) -> Observer | None:
         return _observer(self._first(rows, "observer"))
