@@ -10,6 +10,7 @@ from datetime import datetime
 from pathlib import Path
 
 from paintlink.config import RouteSettings
+from paintlink.daemon.deliveries import FARTHEST_RETRY_S
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.pipeline import retry_delay_s
 from paintlink.daemon.records import Delivery, Job
@@ -77,7 +78,11 @@ class Deliverer:
     def step(self) -> bool:
         """Take one delivery further; False when none is due."""
         now = self._clock()
-        resting = [name for name, at in self._resting_until.items() if at > now]
+        resting = [
+            name
+            for name, at in self._resting_until.items()
+            if now < at <= now + FARTHEST_RETRY_S
+        ]
         delivery = self._journal.deliveries.due(
             now, route=self._only, without=[*self._without, *resting]
         )

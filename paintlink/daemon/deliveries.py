@@ -10,6 +10,8 @@ from typing import NamedTuple
 from paintlink.daemon.database import Database
 from paintlink.daemon.records import Delivery, DeliveryState
 
+FARTHEST_RETRY_S = 60.0  # a later one was set by a clock that has been put back
+
 
 class Waiting(NamedTuple):
     """Deliveries of one route that are not in its folder yet; one of their errors."""
@@ -53,12 +55,13 @@ class Deliveries:
         marks = ", ".join("?" * len(without))
         row = self._db.one(
             "SELECT * FROM deliveries AS d WHERE state IN ('pending', 'publishing') "
-            "AND retry_at <= ? AND (? IS NULL OR route = ?) "
+            "AND (retry_at <= ? OR retry_at > ?) AND (? IS NULL OR route = ?) "
             f"AND route NOT IN ({marks}) "
             "AND (state = 'publishing' OR NOT EXISTS ("
             "SELECT 1 FROM deliveries WHERE state = 'publishing' "
             "AND folder = d.folder)) ORDER BY state DESC, retry_at, id LIMIT 1",
             now_s,
+            now_s + FARTHEST_RETRY_S,
             route,
             route,
             *without,

@@ -28,6 +28,13 @@ SYSCALLS = {
 }  # fmt: skip
 """Those of x86-64 that change a disk, or open what will."""
 
+REACHING = {
+    2: ("open", 0), 257: ("openat", 1), 437: ("openat2", 1), 41: ("socket", -1),
+    42: ("connect", -1), 59: ("execve", 0), 322: ("execveat", 1), 56: ("clone", -1),
+    57: ("fork", -1), 58: ("vfork", -1), 435: ("clone3", -1), 44: ("sendto", -1),
+}  # fmt: skip
+"""Calls that reach out, and the place of the path among their arguments."""
+
 TRACEME, CONT, SYSCALL, KILL = 0, 7, 24, 8
 SETOPTIONS, SYSCALL_INFO, GETREGS, SETREGS = 0x4200, 0x420E, 12, 13
 TRACESYSGOOD, EXITKILL = 1, 1 << 20
@@ -60,6 +67,7 @@ def traced(
     kill_at: int | None = None,
     fail: tuple[str, int, int] | None = None,
     each: Callable[[], None] = lambda: None,
+    reach: Callable[[str, str], None] | None = None,
     before_kill: Callable[[], None] = lambda: None,
 ) -> Run:
     """Run work in a child, whose calls that matter are counted from 1.
@@ -72,13 +80,15 @@ def traced(
         Name of a call, which use of it (from 1), and the errno it gives instead.
     each
         Called at each of those calls, the child standing still.
+    reach
+        Told of every call that opens, connects or executes something, with the path.
     before_kill
         Called at the call of the kill, before the child is gone.
     """
     child = os.fork()
     if child == 0:
         _child(work)
-    return _follow(child, kill_at, fail, each, before_kill)
+    return _follow(child, kill_at, fail, each, reach, before_kill)
 
 
 def _child(work: Callable[[], None]) -> None:
@@ -102,6 +112,7 @@ def _follow(
     kill_at: int | None,
     fail: tuple[str, int, int] | None,
     each: Callable[[], None],
+    reach: Callable[[str, str], None] | None,
     before_kill: Callable[[], None],
 ) -> Run:
     calls: list[str] = []
@@ -119,12 +130,15 @@ def _follow(
         if os.WSTOPSIG(status) != STOPPED_AT_CALL:
             passed_on = os.WSTOPSIG(status)
             continue
-        kind, number = _info(child)
+        kind, number, arguments = _info(child)
         if kind != ENTRY:
             if failing and fail is not None:
                 _set(child, RAX, -fail[2])
                 failing = False
             continue
+        if reach is not None and number in REACHING:
+            call, argument = REACHING[number]
+            reach(call, _text(child, arguments[argument]) if argument >= 0 else "")
         name = SYSCALLS.get(number)
         if name is None:
             continue
@@ -140,11 +154,22 @@ def _follow(
             failing = True
 
 
-def _info(child: int) -> tuple[int, int]:
+def _info(child: int) -> tuple[int, int, tuple[int, ...]]:
+    """Whether a call begins, its number and its arguments."""
     buffer = ctypes.create_string_buffer(88)
     _check(_ptrace(SYSCALL_INFO, child, len(buffer), ctypes.addressof(buffer)))
     kind = buffer.raw[0]
-    return kind, struct.unpack_from("=Q", buffer.raw, 24)[0] if kind == ENTRY else -1
+    if kind != ENTRY:
+        return kind, -1, ()
+    number, *arguments = struct.unpack_from("=7Q", buffer.raw, 24)
+    return kind, number, tuple(arguments)
+
+
+def _text(child: int, address: int) -> str:
+    """A path in the memory of the child."""
+    with open(f"/proc/{child}/mem", "rb", buffering=0) as memory:  # noqa: PTH123
+        memory.seek(address)
+        return memory.read(4096).split(b"\0", 1)[0].decode(errors="replace")
 
 
 def _set(child: int, register: int, value: int) -> None:
