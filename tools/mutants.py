@@ -71,9 +71,8 @@ MUTANTS = (
     Mutant(
         "acknowledge before commit",
         "paintlink/daemon/instruments.py",
-        "            token = self._journal.accept_reading(",
-        "            self._wake_line()\n"
-        "            token = self._journal.accept_reading(",
+        "        token = self._journal.accept_reading(",
+        "        self._wake_line()\n        token = self._journal.accept_reading(",
         ("tests/daemon/test_acknowledge.py",),
     ),
     Mutant(

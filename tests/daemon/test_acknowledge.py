@@ -17,11 +17,11 @@ from tests.daemon.conftest import make_reading
 SETTINGS = InstrumentSettings(name="bench", driver="xrite_ma", port="/dev/null")
 
 
-class Reads:
-    """A session that delivers one reading."""
+class Calibrated:
+    """A clock by which no calibration is due."""
 
-    def read(self, sample: str, prompt: object) -> Reading:
-        return make_reading()
+    def due(self) -> None:
+        return None
 
 
 def worker(path: Path, told: list[str]) -> InstrumentWorker:
@@ -36,7 +36,7 @@ def test_stored_reading_is_told_of(tmp_path: Path) -> None:
     told: list[str] = []
     one = worker(tmp_path / "journal.db", told)
 
-    one._one(Reads())  # type: ignore[arg-type]
+    one._accept(make_reading(), Calibrated())  # type: ignore[arg-type]
 
     assert told == ["line"]
     assert len(one._journal.jobs()) == 1
@@ -54,5 +54,5 @@ def test_reading_that_cannot_be_stored_is_told_to_nobody(
     monkeypatch.setattr(one._journal, "accept_reading", refuse)
 
     with pytest.raises(JournalError, match="disk I/O error"):
-        one._one(Reads())  # type: ignore[arg-type]
+        one._accept(make_reading(), Calibrated())  # type: ignore[arg-type]
     assert told == []
