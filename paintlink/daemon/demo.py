@@ -1,7 +1,7 @@
 """Simulated instruments on real pseudo-terminals, and the shop they stand in.
 
-The panels are paints of the bundled library that have aged a little, so that the line
-has something to find.
+The panels are sprayed by a virtual booth after formulas of the bundled library that
+have aged a little, so that the line has something to find.
 """
 
 from __future__ import annotations
@@ -22,13 +22,12 @@ from paintlink.config import (
     SiteSettings,
     StateSettings,
 )
-from paintlink.errors import ConfigError, ReadingError
+from paintlink.errors import ConfigError
 from paintlink.instrument import modules_in_group
-from paintlink.library import bundled
+from paintlink.library import book
 
 SIMULATOR_GROUP = "paintlink.simulators"
-PANEL_ANGLES_DEG = (15.0, 25.0, 45.0, 75.0, 110.0)
-AGEING_LAB = (0.8, 0.5, 0.6)  # standard deviation of the shift in L, a and b
+AGEING = 0.06  # standard deviation of the logarithm of each toner's strength
 CONFIG = """\
 # The shop of `paintlink demo`. Folders are relative to this file.
 [site]
@@ -80,8 +79,8 @@ class Shop:
         self, folder: Path, *, seed: int | None = None, press_every_s: float
     ) -> None:
         self._rng = np.random.default_rng(seed)
-        self._table = bundled()
         self._package, modules = _simulators()
+        self._booth = self._package.SprayBooth(seed=int(self._rng.integers(2**31)))
         self._ports: dict[str, Any] = {}
         self._simulators: dict[str, Any] = {}
         for one in INSTRUMENTS:
@@ -110,17 +109,18 @@ class Shop:
         return name
 
     def _panel(self) -> tuple[str, Any]:
-        """Name and panel of an aged paint that a surface can have."""
-        effect = [row for row, one in enumerate(self._table.finishes) if one != "solid"]
-        columns = [self._table.angles_deg.index(angle) for angle in PANEL_ANGLES_DEG]
-        while True:
-            row = int(self._rng.choice(effect))
-            lab = self._table.lab[row, columns] + self._rng.normal(0.0, AGEING_LAB)
-            name = f"{self._table.names[row]}, aged"
-            try:
-                return name, self._package.panel_from_lab(PANEL_ANGLES_DEG, lab, name)
-            except ReadingError:
-                continue
+        """Name and panel of an aged effect paint."""
+        table = book().table
+        effect = [row for row, one in enumerate(table.finishes) if one != "solid"]
+        row = int(self._rng.choice(effect))
+        formula = book().formula(row)
+        strengths = np.exp(self._rng.normal(0.0, AGEING, len(formula))).tolist()
+        aged = {
+            one.code: one.parts * strength
+            for one, strength in zip(formula, strengths, strict=True)
+        }
+        name = f"{table.names[row]}, aged"
+        return name, self._booth.spray(aged, name)
 
 
 def _simulators() -> tuple[Any, dict[str, Any]]:

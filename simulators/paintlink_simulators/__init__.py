@@ -8,7 +8,7 @@ from paintlink_simulators import ports
 from paintlink_simulators._simulator import Simulator
 from paintlink_simulators._uart import LineSettings
 from paintlink_simulators.faults import BUNDLED, FAULTS, HARMLESS, STATES, from_answer
-from paintlink_simulators.paint import Panel, panel_from_lab
+from paintlink_simulators.paint import Panel, SprayBooth, panel_from_lab
 from paintlink_simulators.ports import (
     ManualClock,
     MemoryPort,
@@ -36,6 +36,7 @@ __all__ = [
     "PyusbBackend",
     "Rfc2217Port",
     "Simulator",
+    "SprayBooth",
     "TcpPort",
     "UsbIpPort",
     "UsbSocket",

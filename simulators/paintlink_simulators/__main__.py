@@ -17,20 +17,15 @@ import numpy as np
 
 from paintlink.errors import InputError, PaintlinkError
 from paintlink_simulators._simulator import Simulator
-from paintlink_simulators.paint import Panel, panel_from_lab
+from paintlink_simulators.paint import (
+    Panel,
+    SprayBooth,
+    formula_of,
+    panel_from_lab,
+)
 from paintlink_simulators.ports import PtyPort, TcpPort
 
-BLUE_METALLIC = panel_from_lab(
-    (15.0, 25.0, 45.0, 75.0, 110.0),
-    (
-        (78.0, -4.0, -38.0),
-        (58.0, -2.0, -34.0),
-        (34.0, 1.0, -27.0),
-        (19.0, 4.0, -20.0),
-        (14.0, 5.0, -17.0),
-    ),
-    "blue metallic",
-)
+PAINT = "BM304"
 
 
 def main() -> int:
@@ -87,6 +82,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--link", type=Path, help="symbolic link to the terminal")
     parser.add_argument("--baud", type=int, help="pace of the answers")
     parser.add_argument("--model", help="one of the instrument's models")
+    parser.add_argument(
+        "--paint", default=PAINT, help="code of the bundled library (default BM304)"
+    )
     parser.add_argument("--lab-file", type=Path, help="lines of: angle L a b (D65/10)")
     parser.add_argument("--seed", type=int, default=0, help="of the noise")
     return parser
@@ -99,12 +97,19 @@ def _simulator(options: argparse.Namespace) -> Simulator:
     except (ImportError, AttributeError) as fault:
         msg = f"there is no simulated instrument {options.instrument!r}"
         raise InputError(msg) from fault
-    panel = panel_from_file(options.lab_file) if options.lab_file else BLUE_METALLIC
+    panel = _panel(options)
     chosen = {"model": options.model} if options.model else {}
     simulator: Simulator = create(
         panel, clock=time.monotonic, seed=options.seed, **chosen
     )
     return simulator
+
+
+def _panel(options: argparse.Namespace) -> Panel:
+    if options.lab_file:
+        return panel_from_file(options.lab_file)
+    booth = SprayBooth(seed=options.seed)
+    return booth.spray(formula_of(options.paint), options.paint)
 
 
 def _port(simulator: Simulator, options: argparse.Namespace) -> PtyPort | TcpPort:

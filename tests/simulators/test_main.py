@@ -77,6 +77,7 @@ def test_tcp_serves_the_chosen_model() -> None:
     ("arguments", "code", "message"),
     [
         (["xrite_ma9"], 3, "there is no simulated instrument 'xrite_ma9'"),
+        (["xrite_ma", "--paint", "BM3044"], 3, "no paint 'BM3044': did you mean "),
         (["faults"], 3, "there is no simulated instrument 'faults'"),
         (["xrite_ma", "--model", "MA96"], 2, "model = 'MA96' is not one of 'MA58'"),
         (["xrite_ma", "--lab-file", "absent.txt"], 3, "absent.txt cannot be read"),

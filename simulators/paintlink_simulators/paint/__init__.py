@@ -5,7 +5,7 @@ docs/paint-model.md.
 """
 
 from paintlink_simulators.paint.booth import PANEL_ANGLES_DEG, SprayBooth
-from paintlink_simulators.paint.bundled import book
+from paintlink_simulators.paint.bundled import book, formula_of
 from paintlink_simulators.paint.model import reflect
 from paintlink_simulators.paint.noise import (
     EXACT,
@@ -55,6 +55,7 @@ __all__ = [
     "amounts",
     "book",
     "formula",
+    "formula_of",
     "noisy",
     "panel_from_lab",
     "reflect",

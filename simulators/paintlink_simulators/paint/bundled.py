@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from paintlink.errors import LibraryError
+from paintlink.errors import InputError, LibraryError
 from paintlink_simulators.paint.toners import Formula, column
 
 FILE = ("library", "data", "virtual.npz")
@@ -51,6 +51,24 @@ def book() -> Mapping[str, Formula]:
         code: {known[t]: p for t, p in zip(*map(np.ndarray.tolist, row), strict=True)}
         for code, *row in rows
     })
+
+
+def formula_of(code: str) -> Formula:
+    """Formula of one bundled paint.
+
+    Raises
+    ------
+    InputError
+        When there is no such code; names those that come near.
+    """
+    if code in book():
+        return book()[code]
+    from difflib import get_close_matches
+
+    near = get_close_matches(code.upper(), book(), n=3)
+    advice = f"did you mean {', '.join(near)}?" if near else "codes look like BM304"
+    msg = f"the bundled library has no paint {code!r}: {advice}"
+    raise InputError(msg)
 
 
 def _members() -> list[NDArray[Any]]:

@@ -9,9 +9,19 @@ import numpy as np
 import pytest
 
 from paintlink.color import LEAVES, lab_to_lch, leaf_indices, reflectance_to_lab, white
+from paintlink.errors import InputError
 from paintlink.library.virtual import book as bundled_book
 from paintlink.model import FloatArray
-from paintlink_simulators.paint import WAVELENGTHS_NM, amounts, book, reflect
+from paintlink_simulators.paint import (
+    CAREFUL_SITE,
+    WAVELENGTHS_NM,
+    SprayBooth,
+    amounts,
+    book,
+    formula_of,
+    noisy,
+    reflect,
+)
 
 CURVES = Path(__file__).parents[4] / "shared" / "data" / "real_paints_curves.csv"
 REAL_EFFECTS = (
@@ -150,3 +160,27 @@ def test_no_solid_is_brighter_or_purer_than_real_colours() -> None:
         (320, 360, 62),
     ):
         assert chroma[(hue >= start) & (hue < end)].max() <= ceiling
+
+
+def test_unknown_code_gets_near_ones() -> None:
+    with pytest.raises(InputError, match=r"no paint 'RM2091': did you mean .*RM209"):
+        formula_of("RM2091")
+
+
+def test_sprayed_and_read_paints_are_found_again() -> None:
+    """Nearest in the library is the paint itself or another of its group."""
+    known = bundled_book()
+    table = known.table
+    columns = [table.angles_deg.index(angle) for angle in (15.0, 45.0, 110.0)]
+    booth = SprayBooth(CAREFUL_SITE, seed=11)
+    rng = np.random.default_rng(12)
+    rows = rng.choice(len(table), 200, replace=False)
+    home = 0
+
+    for row in rows.tolist():
+        panel = noisy(booth.spray(book()[table.codes[row]]), rng)
+        lab = reflectance_to_lab(WAVELENGTHS_NM, panel.factors_at((15.0, 45.0, 110.0)))
+        away = np.linalg.norm(table.lab[:, columns] - lab, axis=2).sum(axis=1)
+        home += int(away.argmin()) in known.group(row)
+
+    assert home >= 190
