@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from paintlink.library.generations import Generation
     from paintlink.library.groups import Member
     from paintlink.library.shelf import Entry, Shelf
+    from paintlink.library.virtual import Ingredient
     from paintlink.model import ColorSpec, PaintTable
 
 FACE, MIDDLE, FLOP = 15.0, 45.0, 110.0
@@ -76,6 +77,7 @@ def show_paint(shelf: Shelf, table: PaintTable, row: int, *, as_json: bool) -> N
     from paintlink.library import paint_spec
     from paintlink.library.groups import members
     from paintlink.library.loading import SPECIFICATION
+    from paintlink.library.virtual import formula_of
 
     spec = paint_spec(table, row)
     extras = shelf.extras(table, row)
@@ -88,10 +90,15 @@ def show_paint(shelf: Shelf, table: PaintTable, row: int, *, as_json: bool) -> N
             "generation": table.generation,
             "synthetic": table.synthetic,
             "columns": extras,
+            "formula": [one._asdict() for one in formula_of(table, row)],
             "group": [_member_document(table, one) for one in group],
         })
         return
     _print_colour(spec)
+    formula = formula_of(table, row)
+    if formula:
+        extras.pop("formula", None)
+        _print_formula(formula)
     for name, text in extras.items():
         click.echo(f"{name}: {text}")
     if group:
@@ -125,6 +132,13 @@ def _print_colour(spec: ColorSpec) -> None:
         )
     if spec.gloss:
         click.echo(f"gloss {spec.gloss.value_gu:g} GU at {spec.gloss.angle_deg:g} deg")
+
+
+def _print_formula(formula: tuple[Ingredient, ...]) -> None:
+    rows = [(one.code, one.name, f"{one.parts:.2f}") for one in formula]
+    print_table(
+        ("toner", "", "parts by weight"), rows, title="Formula (invented toners)"
+    )
 
 
 def _print_group(table: PaintTable, group: tuple[Member, ...]) -> None:

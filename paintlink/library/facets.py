@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -86,7 +86,33 @@ def facet_of(table: PaintTable, name: str) -> Facet:
     raise LibraryError(msg)
 
 
-def facet(column: list[str]) -> Facet:
+class LazyFacets(Mapping[str, Facet]):
+    """Further columns that are read when they are first asked for.
+
+    Parameters
+    ----------
+    columns
+        How the texts of each column are had, by its name.
+    """
+
+    def __init__(self, columns: Mapping[str, Callable[[], Sequence[str]]]) -> None:
+        self._columns = columns
+        self._known: dict[str, Facet] = {}
+
+    def __getitem__(self, name: str) -> Facet:
+        """The column of this name."""
+        if name not in self._known:
+            self._known[name] = facet(self._columns[name]())
+        return self._known[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+
+def facet(column: Sequence[str]) -> Facet:
     """A column of texts as a facet; empty texts are missing values."""
     seen: dict[str, int] = {"": -1}
     found = [seen.setdefault(text, len(seen) - 1) for text in column]

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import sqlite3
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -18,9 +19,9 @@ from paintlink.library.blocks import (
     load_block,
 )
 from paintlink.library.database import reading
-from paintlink.library.facets import facet
+from paintlink.library.facets import LazyFacets
 from paintlink.library.generations import Generation
-from paintlink.model import Facet, Finish, PaintTable
+from paintlink.model import Finish, PaintTable
 
 SPECIFICATION = "specification"
 """The extra column of the whole document a paint came from; no facet."""
@@ -58,7 +59,10 @@ def load_table(
         angles_deg=angles,
         lab=planes.transpose(2, 0, 1),
         gloss_gu=None if np.isnan(gloss).all() else gloss,
-        facets=StoredFacets(path, generation, _names(connection, generation)),
+        facets=LazyFacets({
+            name: partial(stored_column, path, generation, name)
+            for name in _names(connection, generation)
+        }),
     )
 
 
@@ -92,31 +96,10 @@ def block_codes(
         yield block_id, json.loads(codes)
 
 
-class StoredFacets(Mapping[str, Facet]):
-    """Further columns of a stored generation, each read when it is first asked for."""
-
-    def __init__(self, path: Path, generation: Generation, names: list[str]) -> None:
-        self._path = path
-        self._generation = generation
-        self._names = names
-        self._known: dict[str, Facet] = {}
-
-    def __getitem__(self, name: str) -> Facet:
-        """The column of this name."""
-        if name not in self._names:
-            raise KeyError(name)
-        if name not in self._known:
-            with reading(self._path) as connection:
-                self._known[name] = facet(
-                    column_texts(connection, self._generation, name)
-                )
-        return self._known[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._names)
-
-    def __len__(self) -> int:
-        return len(self._names)
+def stored_column(path: Path, generation: Generation, name: str) -> list[str]:
+    """One further column of a generation in the file of the libraries."""
+    with reading(path) as connection:
+        return column_texts(connection, generation, name)
 
 
 def column_texts(

@@ -10,10 +10,8 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
-import numpy as np
-
 from paintlink.library.facets import facet
-from paintlink.library.store import load
+from paintlink.library.store import columns, load
 from paintlink.model import PaintTable
 
 MUNSELL_FILE = Path(__file__).parent / "data" / "munsell.npz"
@@ -28,17 +26,15 @@ def munsell() -> PaintTable:
     Further columns: the parts of the notation, and the ``conversion`` from C/2.
     """
     table = load(MUNSELL_FILE)
-    with np.load(MUNSELL_FILE) as archive:
-        adapted = archive["adapted"].tolist()
+    adapted = columns(MUNSELL_FILE, "adapted")["adapted"]
     parts = [_parts(code) for code in table.codes]
-    columns = {
+    further = {
         name: facet([part[place] for part in parts])
         for place, name in enumerate(("hue", "value", "chroma"))
     }
-    columns["conversion"] = facet([
-        ADAPTED if one else RECONSTRUCTED for one in adapted
-    ])
-    return replace(table, gloss_gu=None, facets=columns)
+    ways = [ADAPTED if one else RECONSTRUCTED for one in adapted]
+    further["conversion"] = facet(ways)
+    return replace(table, gloss_gu=None, facets=further)
 
 
 def _parts(code: str) -> tuple[str, ...]:

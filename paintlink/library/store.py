@@ -7,6 +7,7 @@ import io
 import zipfile
 import zlib
 from collections.abc import Iterable
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any, cast
@@ -49,7 +50,9 @@ def bundled() -> PaintTable:
     It is not data of any paint maker, and says so in its name and in ``synthetic``.
     Formulas and spectra: `paintlink.library.virtual`.
     """
-    return load(BUNDLED)
+    from paintlink.library.virtual import FACETS  # which reads this very table
+
+    return replace(load(BUNDLED), facets=FACETS)
 
 
 def load(path: Path) -> PaintTable:
@@ -102,7 +105,8 @@ def _column(archive: zipfile.ZipFile, name: str) -> NDArray[Any]:
 
 
 def _remedy(path: Path) -> str:
-    return "reinstall paintlink" if path == BUNDLED else "restore it from its source"
+    ours = path.parent == BUNDLED.parent
+    return "reinstall paintlink" if ours else "restore it from its source"
 
 
 def _table(columns: dict[str, NDArray[Any]], generation: str) -> PaintTable:

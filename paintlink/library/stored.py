@@ -16,9 +16,9 @@ from paintlink.library.generations import Generation
 from paintlink.library.loading import (
     SPECIFICATION,
     block_ids,
-    column_texts,
     load_table,
     paint_extras,
+    stored_column,
 )
 from paintlink.model import PaintTable
 
@@ -59,8 +59,7 @@ class StoredLibraries:
 
     def specifications(self, generation: Generation) -> list[str]:
         """The document each paint was imported from, empty where there is none."""
-        with reading(self.path) as connection:
-            return column_texts(connection, generation, SPECIFICATION)
+        return stored_column(self.path, generation, SPECIFICATION)
 
     def difference(self, old: Generation, new: Generation) -> Difference:
         """What changed between two generations of one library.

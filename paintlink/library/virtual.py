@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from paintlink.library.facets import LazyFacets
 from paintlink.library.store import BUNDLED, bundled, columns
 from paintlink.model import FloatArray, PaintTable, Spectrum, Texture
 
@@ -94,6 +95,10 @@ class Book:
             for name, angle, value in zip(names, angles, values, strict=True)
         )
 
+    def prime(self, row: int) -> int:
+        """Row of the prime of a paint."""
+        return int(self._columns["primes"][row])
+
     def group(self, row: int) -> tuple[int, ...]:
         """Rows of the prime and the variants around it, the prime first."""
         primes = self._columns["primes"]
@@ -109,6 +114,34 @@ class Book:
 def book() -> Book:
     """The bundled book; its file is read once."""
     return Book(bundled())
+
+
+def _groups() -> list[str]:
+    """Code of the prime of every paint."""
+    table = bundled()
+    return [table.codes[book().prime(row)] for row in range(len(table))]
+
+
+def _variants() -> list[str]:
+    return [book().role(row) for row in range(len(bundled()))]
+
+
+def _formulas() -> list[str]:
+    return [formula_text(book().formula(row)) for row in range(len(bundled()))]
+
+
+def formula_of(table: PaintTable, row: int) -> tuple[Ingredient, ...]:
+    """Toners of a paint of the bundled library; none for those of others."""
+    return book().formula(row) if table is bundled() else ()
+
+
+def formula_text(formula: tuple[Ingredient, ...]) -> str:
+    """A formula in one line: toner codes with their parts by weight."""
+    return ", ".join(f"{one.code} {one.parts:.2f}" for one in formula)
+
+
+FACETS = LazyFacets({"group": _groups, "variant": _variants, "formula": _formulas})
+"""Further columns of the bundled paints."""
 
 
 def encoded(factors: FloatArray) -> NDArray[np.uint16]:

@@ -76,3 +76,33 @@ def test_what_is_not_there_gets_a_next_step(
 
     assert done.returncode == code
     assert says in done.stderr
+
+
+def test_show_prints_formula_and_variants(run: Run) -> None:
+    from paintlink.library.virtual import book
+
+    table = bundled()
+    row = next(row for row in range(6000) if len(book().group(row)) > 2)
+    code = table.codes[row]
+
+    shown = json.loads(run("library", "show", code, "--json").stdout)
+    printed = run("library", "show", code).stdout
+
+    assert sum(one["parts"] for one in shown["formula"]) == pytest.approx(100.0)
+    assert {one["code"] for one in shown["group"]} == {
+        table.codes[member] for member in book().group(row)
+    }
+    assert shown["group"][0]["variant"] == "prime"
+    assert all(one["code"] in printed for one in (*shown["formula"], *shown["group"]))
+
+
+def test_variants_can_be_listed(run: Run) -> None:
+    from paintlink.library.virtual import book
+
+    done = run("library", "list", "--where", "variant=redder", "-n", "9999", "--json")
+
+    found = {one["code"] for one in json.loads(done.stdout)}
+    assert found == {
+        code for row, code in enumerate(bundled().codes) if book().role(row) == "redder"
+    }
+    assert found
