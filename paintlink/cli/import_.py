@@ -227,7 +227,7 @@ def _progress(files: Sequence[Path]) -> Iterable[Path]:
 
 
 def _queued(reports: Iterable[Report], settings: Settings) -> list[Report]:
-    from paintlink.cli.imports import queue
+    from paintlink.cli.imports import queue, with_nearest
     from paintlink.daemon.journal import Journal
     from paintlink.daemon.oneshot import work_off
 
@@ -235,7 +235,7 @@ def _queued(reports: Iterable[Report], settings: Settings) -> list[Report]:
         done = [queue(report, journal) for report in reports]
         if not work_off(settings, journal):
             click.echo("the running service takes it from here", err=True)
-    return done
+        return [with_nearest(report, journal) for report in done]
 
 
 def _written(reports: Iterable[Report], folder: Path) -> list[Report]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,16 +22,32 @@ ROWS_SHOWN = 40
 
 
 @dataclass(frozen=True, slots=True)
+class Outcome:
+    """Where one colour went: a job with its nearest paint, or a file."""
+
+    job: str = ""
+    file: str = ""
+    nearest: str = ""
+    total: float | None = None
+
+    def __str__(self) -> str:
+        if self.file:
+            return self.file
+        found = f", nearest {self.nearest} ({self.total:.1f})" if self.nearest else ""
+        return f"job {self.job}{found}"
+
+
+@dataclass(frozen=True, slots=True)
 class Report:
     """One file: what it held and where that went, or why it was refused.
 
-    ``results`` has one text for each usable colour, in the order of the file.
+    ``outcomes`` has one for each usable colour, in the order of the file.
     """
 
     path: Path
     found: Import | None = None
     error: str = ""
-    results: tuple[str, ...] = ()
+    outcomes: tuple[Outcome, ...] = ()
     known_as: str = ""
 
     @property
@@ -64,7 +80,21 @@ def queue(report: Report, journal: Journal) -> Report:
     if known is not None:
         return replace(report, known_as=known)
     tokens = store(journal, found, report.path.name)
-    return replace(report, results=tuple(f"job {token}" for token in tokens))
+    return replace(report, outcomes=tuple(Outcome(job=token) for token in tokens))
+
+
+def with_nearest(report: Report, journal: Journal) -> Report:
+    """The report with the nearest paint of each job that has one."""
+    outcomes = tuple(_with_nearest(one, journal) for one in report.outcomes)
+    return replace(report, outcomes=outcomes)
+
+
+def _with_nearest(outcome: Outcome, journal: Journal) -> Outcome:
+    job = journal.job(outcome.job)
+    if job is None or not job.matches:
+        return outcome
+    best = job.matches[0]
+    return replace(outcome, nearest=best.code, total=best.total)
 
 
 def write(report: Report, folder: Path) -> Report:
@@ -72,7 +102,8 @@ def write(report: Report, folder: Path) -> Report:
     if report.found is None:
         return report
     specs = report.found.specs
-    return replace(report, results=tuple(_write(spec, folder) for spec in specs))
+    files = (_write(spec, folder) for spec in specs)
+    return replace(report, outcomes=tuple(Outcome(file=file) for file in files))
 
 
 def _write(spec: ColorSpec, folder: Path) -> str:
@@ -97,7 +128,7 @@ def document(report: Report) -> dict[str, Any]:
     base = {"file": str(report.path), "error": report.error or None}
     if found is None:
         return base
-    results = iter(report.results)
+    outcomes = iter(report.outcomes)
     return base | {
         "format": found.format_id,
         "sha256": found.sha256,
@@ -108,7 +139,12 @@ def document(report: Report) -> dict[str, Any]:
                 "name": one.name,
                 "specification": spec_document(one.spec) if one.spec else None,
                 "refused": one.refused or None,
-                "result": next(results, None) if one.spec else None,
+            }
+            | {
+                key: value or None
+                for key, value in asdict(
+                    next(outcomes, Outcome()) if one.spec else Outcome()
+                ).items()
             }
             for one in found.items
         ],
@@ -136,7 +172,7 @@ def print_reports(reports: Sequence[Report]) -> None:
 def _rows(report: Report) -> list[tuple[str, str, str, str]]:
     if report.found is None:
         return []
-    results = iter(report.results)
+    outcomes = iter(report.outcomes)
     rows = []
     for item in report.found.items:
         if item.spec is None:
@@ -144,7 +180,7 @@ def _rows(report: Report) -> list[tuple[str, str, str, str]]:
         elif report.known_as:
             result = f"imported before as {report.known_as}"
         else:
-            result = next(results, "can be imported")
+            result = str(next(outcomes, "can be imported"))
         rows.append((report.path.name, item.name, _angles(item), result))
     return rows
 

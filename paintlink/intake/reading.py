@@ -19,6 +19,7 @@ from paintlink.model import ColorSpec, Reading
 
 log = logging.getLogger(__name__)
 
+SINGLE_HINT = " (solid: --finish solid, or finish in [inbox])"
 FAULT = "a fault of the program met in this file"
 
 
@@ -157,5 +158,7 @@ def _colour_item(colour: Colour, options: Options) -> Item:
     try:
         spec = normalise(reading, finish=finish)
     except InputError as error:
-        return Item(reading.sample, reading, refused=str(error))
+        single = len(reading.measurement.geometries) == 1 and finish != "solid"
+        hint = SINGLE_HINT if single else ""
+        return Item(reading.sample, reading, refused=f"{error}{hint}")
     return Item(reading.sample, reading, replace(spec, code=colour.code))

@@ -37,7 +37,8 @@ def test_imported_readings_go_down_the_line(run: Run, workbook: Path) -> None:
     assert done.returncode == 0
     (report,) = json.loads(done.stdout)
     assert report["format"] == "mat12_xlsx"
-    tokens = [one["result"].removeprefix("job ") for one in report["colours"]]
+    tokens = [one["job"] for one in report["colours"]]
+    assert all(one["nearest"] and one["total"] > 0 for one in report["colours"])
     jobs = json.loads(run("jobs", "list", "--json").stdout)
     assert {job["job"] for job in jobs} == set(tokens)
     assert all(job["state"] == "done" and job["matches"] for job in jobs)
@@ -124,7 +125,7 @@ def test_profile_is_proposed_and_then_used(run: Run, tmp_path: Path) -> None:
     done = run("import", "table.csv", "--dry-run", "--profile", "shop.toml")
 
     assert refused.returncode == 3
-    assert "make one with `paintlink import --make-profile`" in refused.stderr
+    assert "make one with `paintlink import FILE --make-profile -o" in refused.stderr
     assert made.returncode == 0
     assert "check conditions: the headings do not say" in made.stderr
     assert done.returncode == 0

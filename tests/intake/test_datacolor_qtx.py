@@ -41,7 +41,8 @@ def test_standards_and_batches_become_solid_readings() -> None:
 
 def test_effect_colours_are_refused_for_a_single_angle() -> None:
     assert all(
-        "declare the paint solid, or measure it with a multi-angle" in item.refused
+        "multi-angle instrument (solid: --finish solid, or finish in [inbox])"
+        in item.refused
         for item in imported(document()).items
     )
 

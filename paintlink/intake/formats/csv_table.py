@@ -80,7 +80,7 @@ def _mapped(
                 break
     msg = (
         "no profile fits the headings of this table: make one with `paintlink import "
-        f"--make-profile`{_nearest(source, profiles)}"
+        f"FILE --make-profile -o shop.toml`{_nearest(source, profiles)}"
     )
     raise source.fault("", msg)
 
