@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from paintlink.cli.output import json_option, print_json
+from paintlink.cli.progress import bar
 from paintlink.cli.state import config_option, settings_of
 
 if TYPE_CHECKING:
@@ -214,16 +215,12 @@ def _averaged(report: Report) -> Report:
     return replace(report, found=report.found and averaged(report.found))
 
 
-def _progress(files: Sequence[Path]) -> Iterable[Path]:
+def _progress(files: Sequence[Path]) -> Iterator[Path]:
     """The files, behind a bar where there are many and a person watches."""
-    import sys
-
-    if len(files) < 5 or not sys.stderr.isatty():
-        return files
-    from rich.console import Console
-    from rich.progress import track
-
-    return track(files, "Importing", console=Console(stderr=True), transient=True)
+    with bar(len(files), "Reading") as advance:
+        for path in files:
+            yield path
+            advance(1)
 
 
 def _queued(reports: Iterable[Report], settings: Settings) -> list[Report]:
@@ -233,7 +230,11 @@ def _queued(reports: Iterable[Report], settings: Settings) -> list[Report]:
 
     with Journal(settings.journal_path) as journal:
         done = [queue(report, journal) for report in reports]
-        if not work_off(settings, journal):
+        jobs = sum(len(report.outcomes) for report in done)
+        routes = sum(route.enabled for route in settings.routes)
+        with bar(jobs * (1 + routes), "Down the line") as advance:
+            worked = work_off(settings, journal, lambda: advance(1))
+        if not worked:
             click.echo("the running service takes it from here", err=True)
         return [with_nearest(report, journal) for report in done]
 

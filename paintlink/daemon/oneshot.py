@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 
 from paintlink.config import Settings
 from paintlink.daemon.journal import Journal
@@ -39,17 +40,26 @@ def process(settings: Settings, reading: Reading, source: str) -> Job:
         return _job(journal, token)
 
 
-def work_off(settings: Settings, journal: Journal) -> bool:
+def work_off(
+    settings: Settings, journal: Journal, on_step: Callable[[], None] = lambda: None
+) -> bool:
     """Take everything down the line that waits; False when a service does that.
 
     Pictures are left to the service: there may be thousands.
+
+    Parameters
+    ----------
+    on_step
+        Called after each step of the line.
     """
     try:
         locks = RoleLocks(settings.state_folder, ("line",))
     except ConfigError:
         return False
+    line = _line(journal, settings)
     try:
-        _run(_line(journal, settings))
+        while line.step():
+            on_step()
     finally:
         locks.release()
     return True
