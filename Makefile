@@ -4,8 +4,9 @@ PYTHON ?= $(shell command -v python3.11 || command -v python3)
 VENV := .venv
 BIN := $(VENV)/bin
 DEMO := demo
+LAB := .lab
 
-.PHONY: help demo test proof bench lint format coverage clean
+.PHONY: help demo test proof lab bench lint format coverage clean
 
 help: ## Show this list.
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -38,6 +39,10 @@ test: lint ## Every check but the long proofs.
 proof: $(VENV)/developed ## The long proofs: kill sweeps, fuzzing at full count.
 	$(BIN)/python -m pytest -q -m proof
 
+lab: $(VENV)/developed ## The drivers on a real kernel with real USB, in a virtual machine.
+	tools/lab/build.sh $(LAB)
+	tools/lab/run.sh $(LAB) "cd $(CURDIR) && $(BIN)/python -u -m tests.lab.guest"
+
 bench: $(VENV)/developed ## Measure; figures are ratios within one run.
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check \
 	    --constraint constraints.txt --editable '.[bench]'
@@ -48,4 +53,4 @@ format: $(VENV)/developed ## Lay out the code.
 	$(BIN)/ruff check --fix .
 
 clean: ## Remove what was built.
-	rm -rf $(VENV) build dist demo .mypy_cache .pytest_cache .ruff_cache .coverage
+	rm -rf $(VENV) $(LAB) build dist demo .mypy_cache .pytest_cache .ruff_cache .coverage

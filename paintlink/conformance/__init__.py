@@ -10,6 +10,7 @@ from paintlink.conformance.exam import (
     examine,
     examine_all,
 )
+from paintlink.conformance.mutations import Report, mutate
 from paintlink.conformance.report import failed, rows
 from paintlink.conformance.stands import TRANSPORTS, transports_of
 
@@ -18,6 +19,7 @@ __all__ = [
     "EXCHANGES",
     "TRANSPORTS",
     "Case",
+    "Report",
     "Result",
     "Subject",
     "Verdict",
@@ -26,6 +28,7 @@ __all__ = [
     "examine",
     "examine_all",
     "failed",
+    "mutate",
     "rows",
     "subject",
     "subjects",

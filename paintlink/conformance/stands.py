@@ -97,7 +97,8 @@ SERIAL: Mapping[str, Stands] = {
     "rfc2217": on_rfc2217,
 }
 USB: Mapping[str, Stands] = {"pyusb": on_pyusb, "usb+ip": on_usbip}
-TRANSPORTS: Mapping[str, Stands] = {**SERIAL, **USB}
+TRANSPORTS: dict[str, Stands] = {**SERIAL, **USB}
+"""Those of the fakes; the lab adds the kernel."""
 
 
 def transports_of(subject: Subject) -> list[str]:

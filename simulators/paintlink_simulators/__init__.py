@@ -7,8 +7,15 @@ from typing import TYPE_CHECKING, Any
 from paintlink_simulators import ports
 from paintlink_simulators._simulator import Simulator
 from paintlink_simulators._uart import LineSettings
-from paintlink_simulators.faults import BUNDLED, FAULTS, HARMLESS, STATES, from_answer
-from paintlink_simulators.paint import Panel, SprayBooth, panel_from_lab
+from paintlink_simulators.faults import (
+    BUNDLED,
+    FAULTS,
+    HARMLESS,
+    STATES,
+    Mutating,
+    from_answer,
+)
+from paintlink_simulators.paint import Panel, Repeatability, SprayBooth, panel_from_lab
 from paintlink_simulators.ports import (
     ManualClock,
     MemoryPort,
@@ -19,17 +26,22 @@ from paintlink_simulators.ports import (
 )
 from paintlink_simulators.usb import UsbSocket
 
+EXACT = Repeatability(gain=0.0, floor=0.0)
+"""An instrument without noise."""
+
 if TYPE_CHECKING:
     from paintlink_simulators.ports import PyusbBackend, Rfc2217Port
 
 __all__ = [
     "BUNDLED",
+    "EXACT",
     "FAULTS",
     "HARMLESS",
     "STATES",
     "LineSettings",
     "ManualClock",
     "MemoryPort",
+    "Mutating",
     "Operator",
     "Panel",
     "PtyPort",

@@ -234,9 +234,6 @@ class XriteRci(Instrument):
     def _refusal(self) -> Failure | None:
         if not (self._calibrated and self._black):
             return "uncalibrated"
-        full = self._model.usb and len(self._readings) >= CAPACITY
-        if full or self._condition == "memory_full":
-            return "memory_full"
         return None if self._condition == "ready" else self._condition
 
     def _start_measuring(self) -> bytes:
@@ -250,9 +247,9 @@ class XriteRci(Instrument):
         return self._code(0)
 
     def _take(self) -> None:
-        if not self._model.usb:
-            self._readings.clear()
-        self._readings.append(100.0 * self._look(ANGLES)[0])
+        kept = CAPACITY if self._model.usb else 1
+        reading = 100.0 * self._look(ANGLES)[0]
+        self._readings = [*self._readings, reading][-kept:]
         self._new = True
         self._polled = False
 

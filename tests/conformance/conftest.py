@@ -19,6 +19,10 @@ def collect(request: pytest.FixtureRequest) -> Callable[[Iterable[Result]], None
 def pytest_terminal_summary(
     terminalreporter: pytest.TerminalReporter, config: pytest.Config
 ) -> None:
+    for report in terminalreporter.stats.get("passed", []):
+        for name, line in report.user_properties:
+            if name == "mutations" and report.when == "call":
+                terminalreporter.write_line(str(line))
     results = config.stash.get(COLLECTED, [])
     if not results:
         return

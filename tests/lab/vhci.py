@@ -25,14 +25,24 @@ class Plug:
         self._port = port
         self._attach()
 
+    @property
+    def place(self) -> Path:
+        """Where the kernel shows the device while it knows it."""
+        return CONTROLLER / "usb1" / f"1-{self._port + 1}"
+
     def unplug(self) -> None:
         """Pull it out."""
         self.device.unplug()
 
+    def forget(self) -> None:
+        """Pull it out, and return when the kernel has forgotten it."""
+        self.unplug()
+        wait_for(self._forgotten, f"the end of the device in port {self._port}")
+
     def replug(self) -> None:
         """Put it back."""
+        self.forget()
         self.device.replug()
-        wait_for(self._port_free, "a free port of the controller")
         self._attach()
 
     def _attach(self) -> None:
@@ -45,6 +55,9 @@ class Plug:
                 f"{self._port} {kernel.fileno()} {number} {FULL_SPEED}"
             )
         threading.Thread(target=serve, args=(ours, engine), daemon=True).start()
+
+    def _forgotten(self) -> bool:
+        return not self.place.exists() and self._port_free()
 
     def _port_free(self) -> bool:
         rows = (CONTROLLER / "status").read_text().splitlines()[1:]

@@ -6,6 +6,13 @@ set -euo pipefail
 folder=${1:?usage: build.sh FOLDER}
 here=$(cd "$(dirname "$0")" && pwd)
 rules=$here/../../config/60-paintlink.rules
+PATH=$PATH:/usr/sbin:/sbin
+for program in qemu-system-x86_64 busybox cpio depmod strip apt-get dpkg; do
+    command -v "$program" >/dev/null || {
+        echo "the lab needs $program: .ci/run lists the Debian packages" >&2
+        exit 2
+    }
+done
 mkdir -p "$folder"
 cd "$folder"
 

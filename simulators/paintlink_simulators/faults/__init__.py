@@ -40,6 +40,7 @@ from paintlink_simulators.faults._delivery import (
     Recurring,
     WrongBaud,
 )
+from paintlink_simulators.faults._mutations import MUTATIONS, Mutating
 
 Fault = Callable[[Simulator, int], Simulator]
 """From a simulator and a seed to the same simulator with the fault."""
@@ -113,6 +114,7 @@ __all__ = [
     "BUNDLED",
     "FAULTS",
     "HARMLESS",
+    "MUTATIONS",
     "STATES",
     "After",
     "Altered",
@@ -122,6 +124,7 @@ __all__ = [
     "Echoing",
     "Fault",
     "Late",
+    "Mutating",
     "Onset",
     "Recurring",
     "Swapped",

@@ -21,7 +21,7 @@ from paintlink_simulators.usb._requests import (
 )
 from paintlink_simulators.usb.function import PACKET, UsbFunction
 
-TICK_S = 0.005
+TICK_S, SHORT_S = 0.005, 0.0005
 PATIENCE_S = 5.0
 
 
@@ -146,7 +146,11 @@ class Engine:
                     self._pump()
 
     def _wait_s(self) -> float | None:
-        return None if self._function.due_at() is None else TICK_S
+        due = self._function.due_at()
+        if due is None:
+            return None
+        # The simulator's clock may run faster than the real one.
+        return min(max(due - self._function.simulator.clock(), SHORT_S), TICK_S)
 
     def _pump(self) -> None:
         self._function.poll()

@@ -6,7 +6,7 @@ import struct
 from dataclasses import replace
 from typing import Any, ClassVar
 
-from paintlink_simulators._simulator import Simulator
+from paintlink_simulators._simulator import Simulator, earlier
 from paintlink_simulators._uart import LineSettings, heard
 from paintlink_simulators.ports._pacer import Pacer
 from paintlink_simulators.usb._requests import Setup, StallError
@@ -157,7 +157,7 @@ class FtdiFunction(SerialFunction):
     def __init__(self, simulator: Simulator, **options: Any) -> None:
         super().__init__(simulator, **options)
         self._latency_s = 0.016
-        self._sent_at = float("-inf")
+        self._sent_at = self.simulator.clock()
 
     def control(self, setup: Setup, data: bytes) -> bytes:
         """Requests of the adapter; the EEPROM is empty."""
@@ -195,8 +195,8 @@ class FtdiFunction(SerialFunction):
         return self.STATUS + characters
 
     def due_at(self) -> float | None:
-        """Always: the adapter sends its status again and again."""
-        return self.simulator.clock()
+        """Soon at the latest: the adapter sends its status again and again."""
+        return earlier(super().due_at(), self._sent_at + self._latency_s)
 
     def _modem(self, value: int) -> None:
         if value & 0x100:

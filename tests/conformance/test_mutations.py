@@ -1,0 +1,88 @@
+"""Damaged answers by the thousand: no crash, no hang, nothing invented."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+
+import numpy as np
+import pytest
+
+from paintlink.conformance import Report, mutate, subject, subjects
+from paintlink_simulators.faults import MUTATIONS
+
+UNSOLVED = {"xrite_rci": "returns 62 bytes of 63 where they arrive in two parts"}
+DRIVERS = [
+    pytest.param(driver, marks=pytest.mark.xfail(strict=False, reason=UNSOLVED[driver]))
+    if driver in UNSOLVED
+    else driver
+    for driver in sorted(subjects())
+]
+SHARE = 500
+PROOF, PARTS = 200_000, 8
+# Drivers whose protocol has a checksum; damage that passes it is a collision.
+CHECKSUM = {"chn_cr30"}
+# One damaged answer in so many may be another legal one, where nothing protects it.
+RARE = 25
+
+
+def part(driver: str, seed: int) -> Report:
+    return mutate(subject(driver), PROOF // PARTS, seed)
+
+
+def assert_sound(report: Report, driver: str) -> None:
+    assert not report.findings
+    assert report.readings
+    assert report.refusals
+    limit = 0 if driver in CHECKSUM else report.damaged // RARE
+    assert report.collisions <= limit
+
+
+@pytest.mark.parametrize("driver", DRIVERS)
+def test_damaged_answers_are_refused_or_right(driver: str) -> None:
+    report = mutate(subject(driver), SHARE, seed=11)
+
+    assert report.damaged >= SHARE
+    assert_sound(report, driver)
+
+
+@pytest.mark.proof
+@pytest.mark.timeout(1500)
+@pytest.mark.parametrize("driver", DRIVERS)
+def test_200000_damaged_answers_are_refused_or_right(
+    driver: str, record_property: Callable[[str, object], None]
+) -> None:
+    context = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(os.cpu_count(), context) as pool:
+        reports = list(pool.map(part, [driver] * PARTS, range(PARTS)))
+
+    record_property(
+        "mutations",
+        f"{driver}: {sum(one.damaged for one in reports)} damaged answers, "
+        f"{sum(one.readings for one in reports)} readings, "
+        f"{sum(one.refusals for one in reports)} refusals, "
+        f"{sum(one.collisions for one in reports)} provable collisions",
+    )
+    assert sum(report.damaged for report in reports) >= PROOF
+    for report in reports:
+        assert_sound(report, driver)
+
+
+@pytest.mark.parametrize("name", MUTATIONS)
+def test_every_mutation_damages_most_answers(name: str) -> None:
+    rng = np.random.default_rng(5)
+    answer, before = b"X-RITE MA68II 3.02\r\n", b"CALIBRATION OK\r\n"
+
+    damaged = [MUTATIONS[name](rng, answer, before) for _ in range(100)]
+
+    assert sum(one != answer for one in damaged) > 90
+
+
+def test_mutations_reach_every_byte_value() -> None:
+    rng = np.random.default_rng(6)
+    answer = b"CALIBRATION OK\r\n"
+    sent = b"".join(MUTATIONS["replace"](rng, answer, b"") for _ in range(20_000))
+
+    assert set(sent) == set(range(256))
