@@ -122,7 +122,8 @@ class InstrumentSettings:
         Key(
             'Write "simulated" for anything that is not a real instrument: its '
             "readings then stay out of every route that does not ask for them. A "
-            "simulator on a pseudo-terminal is always taken as simulated."
+            "simulator on a pseudo-terminal, or at this computer's own network address "
+            "127.0.0.1, is always taken as simulated."
         ),
     ] = "real"
     readings: Annotated[

@@ -125,7 +125,7 @@ class Session:
 
     @property
     def origin(self) -> Origin:
-        """Whether readings are real; over a pseudo-terminal they never are."""
+        """Whether readings are real; a simulator's never are."""
         simulated = is_simulated_path(self.port)
         return "simulated" if simulated else self._settings.origin
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +15,10 @@ from paintlink.links.advice import in_use, no_permission, users_of
 BY_ID = Path("/dev/serial/by-id")
 # Linux gives pseudo-terminals these device numbers, whatever their name is.
 _PTY_MAJORS = range(136, 144)
+_LOOPBACK = re.compile(
+    r"(?:socket|rfc2217|usb\+ip)://(?:127(?:\.\d{1,3}){3}|localhost|\[::1\])[:/]",
+    re.IGNORECASE,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +64,13 @@ def describe(port: ListPortInfo, by_id: Path = BY_ID) -> PortInfo:
 
 
 def is_simulated_path(path: str) -> bool:
-    """Return whether a device is a pseudo-terminal: no instrument is behind one."""
+    """Return whether a simulator must be behind an address.
+
+    No instrument is behind a pseudo-terminal, nor at this computer's own network
+    address: what is plugged in here is opened by its device.
+    """
+    if _LOOPBACK.match(path):
+        return True
     real = Path(path).resolve()
     try:
         numbered = os.major(real.stat().st_rdev) in _PTY_MAJORS

@@ -95,7 +95,24 @@ def test_renamed_pseudo_terminal_is_still_one(terminal, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "path", ["/dev/null", "/dev/ttyUSB0", "socket://127.0.0.1:7000", "/dev/pts2"]
+    "address",
+    [
+        "socket://127.0.0.1:7000",
+        "rfc2217://localhost:7001?ign_set_control",
+        "usb+ip://127.0.0.1:3240/1-2",
+        "usb+ip://[::1]/1-2",
+    ],
+)
+def test_this_computers_own_network_address_is_simulated(address):
+    assert is_simulated_path(address)
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        *("/dev/null", "/dev/ttyUSB0", "/dev/pts2", "socket://192.168.1.20:4001"),
+        *("usb://0765:d020", "usb+ip://lab-bench:3240/1-2", "socket://1.127.0.0:1"),
+    ],
 )
 def test_anything_else_is_not_simulated(path):
     assert not is_simulated_path(path)

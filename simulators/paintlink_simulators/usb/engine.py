@@ -21,7 +21,7 @@ from paintlink_simulators.usb._requests import (
 )
 from paintlink_simulators.usb.function import PACKET, UsbFunction
 
-TICK_S, SHORT_S = 0.005, 0.0005
+TICK_S, SHORT_S = 0.01, 0.0005
 PATIENCE_S = 5.0
 
 

@@ -153,6 +153,8 @@ class FtdiFunction(SerialFunction):
     )
     STATUS: ClassVar[bytes] = bytes((0x31, 0x60))
     EIGHTHS: ClassVar[tuple[int, ...]] = (0, 4, 2, 1, 3, 5, 6, 7)
+    LAZY_S: ClassVar[float] = 0.0
+    """The shortest time between two packets that hold the status alone."""
 
     def __init__(self, simulator: Simulator, **options: Any) -> None:
         super().__init__(simulator, **options)
@@ -187,7 +189,7 @@ class FtdiFunction(SerialFunction):
         if address != self.DATA_IN:
             return None
         now = self.simulator.clock()
-        if not self._ready and now - self._sent_at < self._latency_s:
+        if not self._ready and now - self._sent_at < self._status_s:
             return None
         self._sent_at = now
         room = PACKET - len(self.STATUS)
@@ -196,7 +198,11 @@ class FtdiFunction(SerialFunction):
 
     def due_at(self) -> float | None:
         """Soon at the latest: the adapter sends its status again and again."""
-        return earlier(super().due_at(), self._sent_at + self._latency_s)
+        return earlier(super().due_at(), self._sent_at + self._status_s)
+
+    @property
+    def _status_s(self) -> float:
+        return max(self._latency_s, self.LAZY_S)
 
     def _modem(self, value: int) -> None:
         if value & 0x100:
