@@ -16,7 +16,7 @@ timeout "${LAB_LIMIT_S:-300}" qemu-system-x86_64 \
     -kernel "$folder/vmlinuz" -initrd "$folder/initrd.gz" \
     -append "console=ttyS0 quiet panic=-1 mitigations=off tsc=reliable lab=\"$command\"" \
     -fsdev local,id=h,path=/,security_model=none,readonly=on,multidevs=remap \
-    -device virtio-9p-pci,fsdev=h,mount_tag=hostroot </dev/null | tr -d '\r' | tee "$log" |
+    -device virtio-9p-pci,fsdev=h,mount_tag=hostroot </dev/null | sed -u 's#\r##g' | tee "$log" |
     grep --line-buffered -v -e '^LAB-EXIT' -e 'vhci_device speed not set' || true
 status=$(sed -n 's/^LAB-EXIT //p' "$log")
 exit "${status:-99}"
