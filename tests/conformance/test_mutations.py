@@ -21,11 +21,12 @@ DRIVERS = [
     for driver in sorted(subjects())
 ]
 SHARE = 500
-PROOF, PARTS = 200_000, 8
-# Drivers whose protocol has a checksum; damage that passes it is a collision.
-CHECKSUM = {"chn_cr30"}
-# One damaged answer in so many may be another legal one, where nothing protects it.
-RARE = 25
+# 200 000 take a quarter of an hour: PAINTLINK_MUTATIONS=200000 asks for them.
+PROOF = int(os.environ.get("PAINTLINK_MUTATIONS", "20000"))
+PARTS = 4
+# One damaged answer in so many may be another legal one: where nothing but its form
+# protects it, and where a sum of bytes does, which misses one change in 256 at best.
+RARE = {"chn_cr30": 1000, "km_cm512": 25, "xrite_ma": 25, "xrite_rci": 25}
 
 
 def part(driver: str, seed: int) -> Report:
@@ -36,8 +37,7 @@ def assert_sound(report: Report, driver: str) -> None:
     assert not report.findings
     assert report.readings
     assert report.refusals
-    limit = 0 if driver in CHECKSUM else report.damaged // RARE
-    assert report.collisions <= limit
+    assert report.collisions <= report.damaged // RARE.get(driver, 25)
 
 
 @pytest.mark.parametrize("driver", DRIVERS)
@@ -49,9 +49,9 @@ def test_damaged_answers_are_refused_or_right(driver: str) -> None:
 
 
 @pytest.mark.proof
-@pytest.mark.timeout(1500)
+@pytest.mark.timeout(3000)
 @pytest.mark.parametrize("driver", DRIVERS)
-def test_200000_damaged_answers_are_refused_or_right(
+def test_thousands_of_damaged_answers_are_refused_or_right(
     driver: str, record_property: Callable[[str, object], None]
 ) -> None:
     context = multiprocessing.get_context("spawn")

@@ -13,7 +13,7 @@ from paintlink_simulators.ports.usbip import FULL_SPEED, serve
 from paintlink_simulators.usb import UsbSocket
 
 CONTROLLER = Path("/sys/devices/platform/vhci_hcd.0")
-PATIENCE_S = 20.0
+PATIENCE_S = 60.0
 T = TypeVar("T")
 
 

@@ -153,12 +153,20 @@ class Engine:
         return min(max(due - self._function.simulator.clock(), SHORT_S), TICK_S)
 
     def _pump(self) -> None:
-        self._function.poll()
+        for _ in range(PACKET):
+            # What comes in pieces at once travels in one packet.
+            self._function.poll()
+            if not self._overdue():
+                break
         for address, queue in self._queues.items():
             while queue and self._advance(address, queue[0]):
                 queue.popleft()
         if self._function.cut and self._function.empty:
             self._leave()
+
+    def _overdue(self) -> bool:
+        due = self._function.due_at()
+        return due is not None and due <= self._function.simulator.clock()
 
     def _advance(self, address: int, urb: Urb) -> bool:
         """Move what can be moved; true when the request is finished."""

@@ -185,20 +185,22 @@ class FtdiFunction(SerialFunction):
         return b""
 
     def in_packet(self, address: int) -> bytes | None:
-        """Two bytes of status and the next characters, if there are any."""
+        """Two bytes of status and the next characters, bundled as the latency says."""
         if address != self.DATA_IN:
             return None
         now = self.simulator.clock()
-        if not self._ready and now - self._sent_at < self._status_s:
+        room = PACKET - len(self.STATUS)
+        patience_s = self._latency_s if self._ready else self._status_s
+        if len(self._ready) < room and now - self._sent_at < patience_s:
             return None
         self._sent_at = now
-        room = PACKET - len(self.STATUS)
         characters, self._ready = self._ready[:room], self._ready[room:]
         return self.STATUS + characters
 
     def due_at(self) -> float | None:
         """Soon at the latest: the adapter sends its status again and again."""
-        return earlier(super().due_at(), self._sent_at + self._status_s)
+        patience_s = self._latency_s if self._ready else self._status_s
+        return earlier(super().due_at(), self._sent_at + patience_s)
 
     @property
     def _status_s(self) -> float:
