@@ -38,6 +38,7 @@ COMMANDS = {
     "snap": "snap",
     "tile": "tile",
     "trace": "trace",
+    "turntable": "turntable",
     "validate": "validate",
 }
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from paintlink.cli import library_changes, library_files
+from paintlink.cli import library_changes, library_files, library_pictures
 from paintlink.cli.library_state import Where, filter_of, filter_options, on_shelf
 from paintlink.cli.library_views import (
     entry_document,
@@ -33,7 +33,11 @@ def command() -> None:
     """
 
 
-for one in (*library_changes.COMMANDS, *library_files.COMMANDS):
+for one in (
+    *library_changes.COMMANDS,
+    *library_files.COMMANDS,
+    *library_pictures.COMMANDS,
+):
     command.add_command(one)
 
 

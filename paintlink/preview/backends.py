@@ -67,3 +67,15 @@ def _whole(
         flags += np.bincount(colours[:, 3], minlength=4)
         picture.append(drawn)
     return picture[0] if len(picture) == 1 else np.concatenate(picture), flags
+
+
+def linear(scene: Scene, inks: Float32Array) -> Float32Array:
+    """Light of the whole scene before it is brought into sRGB, (size, size, 3)."""
+    rows = []
+    for some in scene.bands():
+        prepared = band(scene, some)
+        rows.append(np.repeat(prepared.grey[..., np.newaxis], 3, axis=2))
+        places = rows[-1].reshape(-1, 3)
+        seen = cpu.radiance(prepared, inks, slice(None))
+        places[prepared.pixels] = seen.T
+    return np.concatenate(rows)

@@ -16,7 +16,8 @@ CODES = (255.0 * encode_srgb((np.arange(STEPS) / (STEPS - 1)) ** 2)).astype(np.f
 
 TOO_CHROMATIC, TOO_BRIGHT = 1, 2
 TOLERANCE = np.float32(1e-4)
-ROOM = np.float32(1.0 - SHOULDER_FROM)
+START = np.float32(SHOULDER_FROM)
+ROOM = np.float32(1.0) - START
 GREY = LUMINANCE.astype(np.float32)
 
 
@@ -38,7 +39,7 @@ def draw(band: Band, inks: Float32Array) -> NDArray[np.uint8]:
         some = slice(start, start + PIXELS_AT_ONCE)
         seen = radiance(band, inks, some)
         drawn[some, 3] = into_gamut(seen)
-        drawn[some, :3] = _encoded(seen, band.dither[some]).T
+        drawn[some, :3] = encoded(seen, band.dither[some]).T
     return drawn
 
 
@@ -65,22 +66,28 @@ def into_gamut(linear: Float32Array) -> NDArray[np.uint8]:
     """
     lowest = linear.min(axis=0)
     flags: NDArray[np.uint8] = (lowest < -TOLERANCE).astype(np.uint8)
-    chromatic = np.flatnonzero(lowest < 0.0)
-    if len(chromatic):
-        rgb = linear[:, chromatic]
-        luminance = GREY @ rgb
-        distance = np.maximum(luminance - lowest[chromatic], np.float32(1e-9))
-        keep = np.clip(luminance / distance, 0.0, 1.0)
-        linear[:, chromatic] = luminance + keep * (rgb - luminance)
+    if lowest.min(initial=0.0) < 0.0:
+        _desaturate(linear, lowest)
     peak = linear.max(axis=0)
     flags += TOO_BRIGHT * (peak > 1.0 + TOLERANCE).astype(np.uint8)
-    bright = np.flatnonzero(peak > SHOULDER_FROM)
-    if len(bright):
-        above = peak[bright]
-        target = 1.0 - ROOM * np.exp((np.float32(SHOULDER_FROM) - above) / ROOM)
-        linear[:, bright] *= target / above
+    np.maximum(peak, START, out=peak)
+    scale = np.exp((START - peak) / ROOM)
+    scale *= -ROOM
+    scale += 1.0
+    scale /= peak
+    linear *= scale
     np.clip(linear, 0.0, 1.0, out=linear)
     return flags
+
+
+def _desaturate(linear: Float32Array, lowest: Float32Array) -> None:
+    """Mix colours with the grey of their luminance until none is negative."""
+    luminance = GREY @ linear
+    keep = luminance / np.maximum(luminance - np.minimum(lowest, 0.0), 1e-9)
+    np.clip(keep, 0.0, 1.0, out=keep)
+    linear -= luminance
+    linear *= keep
+    linear += luminance
 
 
 def _weighed(light: Float32Array, ink: Float32Array) -> Float32Array:
@@ -90,7 +97,7 @@ def _weighed(light: Float32Array, ink: Float32Array) -> Float32Array:
     return np.stack([ink[:, channel] @ light[channel] for channel in range(3)])
 
 
-def _encoded(shown: Float32Array, dither: Float32Array) -> NDArray[np.uint8]:
+def encoded(shown: Float32Array, dither: Float32Array) -> NDArray[np.uint8]:
     """Codes of colours within 0 to 1, shape (3, n); changes ``shown``."""
     np.sqrt(shown, out=shown)
     shown *= STEPS - 1

@@ -64,7 +64,7 @@ def look_up(table: Float32Array, normal: Float32Array) -> Float32Array:
 def _interpolated(table: Float32Array, normal: Float32Array) -> Float32Array:
     size = table.shape[0]
     texels = table.reshape(size * size, -1)
-    column, row = _position(normal, size)
+    column, row = position(normal, size)
     left, top = _cell(column, size), _cell(row, size)
     right = np.clip(column - left, 0.0, 1.0).astype(np.float32)[:, None]
     down = np.clip(row - top, 0.0, 1.0).astype(np.float32)[:, None]
@@ -76,7 +76,7 @@ def _interpolated(table: Float32Array, normal: Float32Array) -> Float32Array:
     return mixed
 
 
-def _position(normal: Float32Array, size: int) -> tuple[Float32Array, Float32Array]:
+def position(normal: Float32Array, size: int) -> tuple[Float32Array, Float32Array]:
     """Column and row in texels, both shape (n,)."""
     level: Float32Array = np.maximum(np.hypot(normal[:, 0], normal[:, 1]), 1e-9)
     tilt: Float32Array = np.arctan2(level, np.maximum(normal[:, 2], 0.0))

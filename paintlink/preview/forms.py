@@ -14,6 +14,7 @@ from paintlink.preview.mesh import Mesh
 from paintlink.preview.names import find
 from paintlink.preview.relief_mesh import relief_mesh
 from paintlink.preview.surface import Surface
+from paintlink.preview.view import FRONT, View
 
 
 class Form(Protocol):
@@ -32,6 +33,11 @@ class Form(Protocol):
     @property
     def span(self) -> tuple[float, float]:
         """Left and right end in the picture, -1 to 1."""
+        ...
+
+    @property
+    def view(self) -> View:
+        """From where the middle of the picture is seen."""
         ...
 
     def __hash__(self) -> int: ...
@@ -57,6 +63,11 @@ class ReliefForm:
         """Left and right end in the picture, -1 to 1."""
         return load_shape(self.name).SPAN
 
+    @property
+    def view(self) -> View:
+        """Straight from the front."""
+        return FRONT
+
     def surface(self, size: int, rows: slice, cache_dir: Path | None) -> Surface:
         """What is seen in some rows."""
         del cache_dir
@@ -76,6 +87,11 @@ class MeshForm:
     def span(self) -> tuple[float, float]:
         """Left and right end in the picture, -1 to 1."""
         return camera.span(self.mesh, self.camera)
+
+    @property
+    def view(self) -> View:
+        """From where the middle of the picture is seen."""
+        return self.camera.view
 
     def surface(self, size: int, rows: slice, cache_dir: Path | None) -> Surface:
         """What is seen in some rows."""

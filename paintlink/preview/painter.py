@@ -131,5 +131,6 @@ def _trial() -> tuple[Band, Float32Array]:
         part=np.arange(TRIAL, dtype=np.uint8) % 2,
         pixels=np.arange(TRIAL),
         plain=np.zeros((1, TRIAL, 3), dtype=np.uint8),
+        grey=np.zeros((1, TRIAL), dtype=np.float32),
     )
     return band, random.uniform(-0.5, 1.5, (2, 5, 3)).astype(np.float32)

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from paintlink import __version__
+from paintlink.color.display import encode_srgb, into_gamut
+from paintlink.errors import PreviewError
 from paintlink.model import ColorSpec
+from paintlink.preview.arrays import Float32Array
+from paintlink.spec import spec_id
 
 Backend = Literal["auto", "gl", "cpu"]
 
@@ -32,6 +37,9 @@ class Picture:
     flags
         How many covered pixels there are of each sum of `cpu.TOO_CHROMATIC` and
         `cpu.TOO_BRIGHT`.
+    linear
+        Light before it is brought into sRGB, shape (height, width, 3), 1 being the
+        perfect diffuser; only where it was asked for, and without a caption.
     notes
         What had to be assumed, in words for people.
     """
@@ -45,6 +53,7 @@ class Picture:
     setting: str = ""
     flags: tuple[int, ...] = (0, 0, 0, 0)
     notes: tuple[str, ...] = ()
+    linear: Float32Array | None = None
 
     def __post_init__(self) -> None:
         self.rgb.setflags(write=False)
@@ -58,3 +67,40 @@ class Picture:
     def too_bright(self) -> float:
         """Share of the object brighter than the screen, shown darker, 0 to 1."""
         return (self.flags[2] + self.flags[3]) / max(sum(self.flags), 1)
+
+    def deep_rgb(self) -> NDArray[np.uint16]:
+        """Encoded sRGB with 16 bits, shape (height, width, 3).
+
+        Raises
+        ------
+        PreviewError
+            When the picture does not keep its linear light.
+        """
+        shown = encode_srgb(into_gamut(self.required_linear()))
+        return np.rint(65535.0 * shown).astype(np.uint16)
+
+    def required_linear(self) -> Float32Array:
+        """``linear``; errors are those of `deep_rgb`."""
+        if self.linear is None:
+            msg = "this picture keeps 8 bits only: draw it with linear=True"
+            raise PreviewError(msg)
+        return self.linear
+
+
+def facts(picture: Picture) -> dict[str, Any]:
+    """What a picture shows and how it came about, for programs."""
+    return {
+        "paints": [
+            {"id": spec_id(spec), "name": spec.name, "code": spec.code}
+            for spec in picture.specs
+        ],
+        "object": picture.object,
+        "light": picture.light,
+        "width": picture.rgb.shape[1],
+        "height": picture.rgb.shape[0],
+        "renderer": f"{picture.backend}: {picture.reason}",
+        "too_chromatic": round(picture.too_chromatic, 6),
+        "too_bright": round(picture.too_bright, 6),
+        "notes": [*picture.notes, WARNING],
+        "version": __version__,
+    }

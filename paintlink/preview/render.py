@@ -37,6 +37,7 @@ def render(
     turn_deg: float = 0.0,
     perspective: bool = False,
     illustration: Illustration = PLAIN,
+    linear: bool = False,
 ) -> Picture:
     """Picture of one paint, or of two to four that share the object.
 
@@ -51,6 +52,12 @@ def render(
     backend
         ``auto`` draws with OpenGL where it can and with numpy where not; the two agree
         within one step of 255.
+    pattern
+        How several paints share the object.
+    turn_deg, perspective
+        See `camera.Camera`; only meshes can be turned.
+    linear
+        Whether to keep the light for 16-bit and OpenEXR files; numpy computes it.
 
     Raises
     ------
@@ -73,7 +80,8 @@ def render(
         Layout(pattern, len(specs)),
         illustration,
     )
-    drawn = backends.draw(scene, _inks(specs, coats, kinds), backend)
+    inks = _inks(specs, coats, kinds)
+    drawn = backends.draw(scene, inks, backend)
     assumptions = dict.fromkeys(assumption(spec.gloss) for spec in specs)
     return Picture(
         drawn.rgb,
@@ -84,6 +92,7 @@ def render(
         setting=f"{shown.label}, light: {scene.light.label}".lower(),
         specs=tuple(specs),
         flags=tuple(drawn.flags.tolist()),
+        linear=backends.linear(scene, inks) if linear else None,
         notes=(*filter(None, assumptions), *illustration.notes()),
     )
 

@@ -71,6 +71,8 @@ class Band:
         Positions of the pixels in the rows, shape (n,).
     plain
         The rows without the object, encoded, shape (rows, columns, 3).
+    grey
+        The same as linear light, shape (rows, columns).
     """
 
     light: Float32Array
@@ -80,6 +82,7 @@ class Band:
     part: NDArray[np.uint8]
     pixels: NDArray[np.intp]
     plain: NDArray[np.uint8]
+    grey: Float32Array
 
     @property
     def channels(self) -> int:
@@ -115,7 +118,8 @@ def _band(scene: Scene, first: int, last: int) -> Band:
         dither=grain.ravel()[surface.pixels],
         part=parts.number,
         pixels=surface.pixels,
-        plain=_encoded(surface.behind, grain),
+        plain=backdrop_codes(surface.behind, grain),
+        grey=surface.behind.astype(np.float32),
     )
 
 
@@ -160,7 +164,7 @@ def _light(scene: Scene, first: int, last: int) -> Float32Array:
     return light
 
 
-def _encoded(grey: FloatArray, grain: Float32Array) -> NDArray[np.uint8]:
+def backdrop_codes(grey: FloatArray, grain: Float32Array) -> NDArray[np.uint8]:
     """The backdrop, shape (rows, columns, 3)."""
     shown = into_gamut(np.repeat(grey[..., np.newaxis], 3, axis=2))
     codes = 255.0 * encode_srgb(shown) + grain[..., np.newaxis]
