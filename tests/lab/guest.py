@@ -27,6 +27,8 @@ from tests.lab.bus import compare_usb
 # Past identification, so that the fault meets the reading itself.
 EXCHANGES = (2,)
 COLUMNS = ("kernel", "ttyACM")
+# Its own adapter or USB protocol is what each driver meets; CDC-ACM is shown on one.
+BEHIND_ACM = {"km_cm512"}
 # Two processes for two processors, each with half of the controller's ports.
 SHIFTS = (("xrite_ma", "xrite_rci"), ("km_cm512", "chn_cr30"))
 PORTS = (range(0, 4), range(4, 8))
@@ -80,8 +82,10 @@ def examined(drivers: Sequence[str], ports: range) -> tuple[list[Result], list[s
 def examined_one(found: Subject, ports: range) -> tuple[list[Result], list[str]]:
     """As `examined`, for one driver on its adapter and behind CDC-ACM."""
     half = len(ports) // 2
-    kinds = {"kernel": stands.Bays(found, stands.adapter, ports[:half])}
-    if found.driver.INFO.usb is None:
+    acm = found.id in BEHIND_ACM
+    adapters = ports[:half] if acm else ports
+    kinds = {"kernel": stands.Bays(found, stands.adapter, adapters)}
+    if acm:
         kinds["ttyACM"] = stands.Bays(found, stands.acm, ports[half:])
     fakes.TRANSPORTS.update({name: bays.stand for name, bays in kinds.items()})
     try:

@@ -113,7 +113,7 @@ class AcmFunction(SerialFunction):
         "0524060001070583031000200904010002"
         "0A0000000705020240000007058102400000"
     )
-    PARITIES: ClassVar[str] = "NEOMS"
+    PARITIES: ClassVar[str] = "NOEMS"
 
     def control(self, setup: Setup, data: bytes) -> bytes:
         """Line coding, modem lines and break."""
