@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -32,7 +32,7 @@ class Mirrors(NamedTuple):
     extinction: FloatArray
 
 
-@cache
+@lru_cache(maxsize=64)
 def mirrors(
     aspecular_deg: tuple[float, ...], illumination_deg: tuple[float, ...]
 ) -> Mirrors:

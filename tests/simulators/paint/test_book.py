@@ -134,7 +134,8 @@ def test_no_solid_is_brighter_or_purer_than_real_colours() -> None:
     xyy = np.array([
         data for _, data in colour.notation.MUNSELL_COLOURS["Munsell Colours Real"]
     ])
-    xyz = colour.xyY_to_XYZ(xyy * [1.0, 1.0, 0.01])
+    # The published Y is relative to smoked magnesium oxide (ASTM D1535).
+    xyz = colour.xyY_to_XYZ(xyy * [1.0, 1.0, 0.00975])
     source = colour.xy_to_XYZ(
         colour.CCS_ILLUMINANTS["CIE 1931 2 Degree Standard Observer"]["C"]
     )
