@@ -69,6 +69,17 @@ def test_one_angle_does_not_depend_on_the_others(any_formulas: FloatArray) -> No
     assert alone == pytest.approx(reflect(some, ANGLES_DEG)[:, 2], rel=1e-12)
 
 
+def test_lamp_and_detector_may_change_places(any_formulas: FloatArray) -> None:
+    """Helmholtz: lamp at 45 and view at 30, 20 or -30 degrees, and the other way."""
+    some = any_formulas[:500]
+    aspecular, view = np.array([15.0, 25.0, 75.0]), np.array([30.0, 20.0, -30.0])
+
+    forward = reflect(some, aspecular)
+    backward = reflect(some, view - 45.0, illumination_deg=view)
+
+    assert backward == pytest.approx(forward, rel=1e-12)
+
+
 def test_one_paint_does_not_depend_on_the_others(any_formulas: FloatArray) -> None:
     together = reflect(any_formulas[:3000], ANGLES_DEG)
 
