@@ -2,25 +2,18 @@
 
 from __future__ import annotations
 
-from weakref import WeakKeyDictionary
-
 import numpy as np
 
 from paintlink.model import FloatArray, PaintTable
 
-DIRECTIONS = 600
-BLOCK_PAINTS = 100_000
+CLOSE = 1e-6
+"""Squared Lab units that further steps could gain; less is not worth a step."""
 
-_EXTENTS: WeakKeyDictionary[PaintTable, dict[float, FloatArray]] = WeakKeyDictionary()
+MOST_STEPS = 200
 
 
 def outside(table: PaintTable, angle_deg: float, lab: FloatArray) -> float:
-    """Lab units by which a colour lies beyond the convex hull of a library, at least.
-
-    0 inside. The hull is held against `DIRECTIONS` directions spread evenly over the
-    sphere: a colour is outside by at least as much as it reaches farther than every
-    paint in one of them. The largest of these falls short of the distance by less
-    than 1 % where the hull is flat, by more at its corners.
+    """Lab units from a colour to the convex hull of a library's colours, 0 inside.
 
     Parameters
     ----------
@@ -28,27 +21,63 @@ def outside(table: PaintTable, angle_deg: float, lab: FloatArray) -> float:
         One of the table's aspecular angles.
     lab
         Shape (3,).
+
+    Notes
+    -----
+    The point of a polytope nearest to the origin, found over at most four of its
+    corners at a time.
+
+    References
+    ----------
+    Wolfe: Finding the nearest point in a polytope, Mathematical Programming 11 (1976).
     """
-    extents = _EXTENTS.setdefault(table, {})
-    if angle_deg not in extents:
-        extents[angle_deg] = _extent(table, angle_deg)
-    return max(float((_directions() @ lab - extents[angle_deg]).max()), 0.0)
+    paints = table.lab[:, table.angles_deg.index(angle_deg)]
+    L, a, b = (paints[:, channel] - lab[channel] for channel in range(3))
+    corners = [int(np.nanargmin(L * L + a * a + b * b))]
+    weights = np.ones(1)
+    for _ in range(MOST_STEPS):
+        points = np.array([(L[i], a[i], b[i]) for i in corners])
+        corners, weights = _nearest_of(points, weights, corners)
+        points = np.array([(L[i], a[i], b[i]) for i in corners])
+        nearest = weights @ points
+        ahead = nearest[0] * L + nearest[1] * a + nearest[2] * b
+        best = int(np.nanargmin(ahead))
+        if best in corners or nearest @ nearest - ahead[best] <= CLOSE:
+            break
+        corners, weights = [*corners, best], np.append(weights, 0.0)
+    squared = float(nearest @ nearest)
+    return float(np.sqrt(squared)) if squared > CLOSE else 0.0
 
 
-def _extent(table: PaintTable, angle_deg: float) -> FloatArray:
-    """How far the library reaches in each direction; paints without Lab left out."""
-    lab = table.lab[:, table.angles_deg.index(angle_deg)]
-    directions, reach = _directions(), np.full(DIRECTIONS, -np.inf)
-    for start in range(0, len(lab), BLOCK_PAINTS):
-        block = lab[start : start + BLOCK_PAINTS] @ directions.T
-        reach = np.fmax(reach, np.fmax.reduce(block, axis=0))
-    return reach
+def _nearest_of(
+    points: FloatArray, weights: FloatArray, corners: list[int]
+) -> tuple[list[int], FloatArray]:
+    """The corners that span the nearest point to the origin, and their weights.
+
+    Points that would need a negative weight are dropped one after the other.
+    """
+    while len(corners) > 1:
+        wanted = _affine(points)
+        if wanted.min() > 0.0:
+            return corners, wanted
+        falling = wanted < weights
+        share = weights[falling] / (weights[falling] - wanted[falling])
+        weights = weights + min(float(share.min()), 1.0) * (wanted - weights)
+        kept = weights > 1e-12
+        kept[np.argmin(weights)] = False
+        points, weights = points[kept], weights[kept] / weights[kept].sum()
+        corners = [one for one, keep in zip(corners, kept, strict=True) if keep]
+    return corners, np.ones(1)
 
 
-def _directions() -> FloatArray:
-    """Unit vectors on a spiral from pole to pole, shape (DIRECTIONS, 3)."""
-    step = np.arange(DIRECTIONS) + 0.5
-    z = 1.0 - 2.0 * step / DIRECTIONS
-    turn = np.pi * (1.0 + np.sqrt(5.0)) * step
-    r = np.sqrt(1.0 - z * z)
-    return np.stack([z, r * np.cos(turn), r * np.sin(turn)], axis=1)
+def _affine(points: FloatArray) -> FloatArray:
+    """Weights with sum 1 that bring points (k, 3) nearest to the origin."""
+    count = len(points)
+    system = np.ones((count + 1, count + 1))
+    system[0, 0] = 0.0
+    system[1:, 1:] = points @ points.T
+    wanted = np.zeros(count + 1)
+    wanted[0] = 1.0
+    solution = np.linalg.lstsq(system, wanted, rcond=None)[0]
+    weights: FloatArray = solution[1:]
+    return weights
