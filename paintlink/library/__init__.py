@@ -1,20 +1,28 @@
 """The paint library: the bundled virtual paints, look-up, filters and statistics."""
 
-from paintlink.library.facets import FacetChoice, facet_of, parse_choices
-from paintlink.library.filters import INDEX_NAMES, Filter, IndexName, Range
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+# These two have the names of their modules, which would hide them otherwise.
 from paintlink.library.histogram import Histogram, histogram
-from paintlink.library.lookup import find, paint_spec
-from paintlink.library.measures import (
-    Indices,
-    Statistics,
-    indices,
-    leaves,
-    statistics,
-)
 from paintlink.library.munsell import munsell
-from paintlink.library.shelf import MUNSELL, VIRTUAL, Entry, Shelf
-from paintlink.library.store import bundled
-from paintlink.library.virtual import Book, Ingredient, book
+
+if TYPE_CHECKING:
+    from paintlink.library.facets import FacetChoice, facet_of, parse_choices
+    from paintlink.library.filters import INDEX_NAMES, Filter, IndexName, Range
+    from paintlink.library.lookup import find, paint_spec
+    from paintlink.library.measures import (
+        Indices,
+        Statistics,
+        indices,
+        leaves,
+        statistics,
+    )
+    from paintlink.library.shelf import MUNSELL, VIRTUAL, Entry, Shelf
+    from paintlink.library.store import bundled
+    from paintlink.library.virtual import Book, Ingredient, book
 
 __all__ = [
     "INDEX_NAMES",
@@ -43,3 +51,36 @@ __all__ = [
     "parse_choices",
     "statistics",
 ]
+
+_HOMES = {
+    "INDEX_NAMES": "filters",
+    "MUNSELL": "shelf",
+    "VIRTUAL": "shelf",
+    "Book": "virtual",
+    "Entry": "shelf",
+    "FacetChoice": "facets",
+    "Filter": "filters",
+    "IndexName": "filters",
+    "Indices": "measures",
+    "Ingredient": "virtual",
+    "Range": "filters",
+    "Shelf": "shelf",
+    "Statistics": "measures",
+    "book": "virtual",
+    "bundled": "store",
+    "facet_of": "facets",
+    "find": "lookup",
+    "indices": "measures",
+    "leaves": "measures",
+    "paint_spec": "lookup",
+    "parse_choices": "facets",
+    "statistics": "measures",
+}
+"""Module of each name, imported when it is first asked for: a search needs one."""
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        msg = f"module {__name__!r} has no attribute {name!r}"
+        raise AttributeError(msg)
+    return getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)

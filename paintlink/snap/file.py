@@ -12,10 +12,11 @@ from __future__ import annotations
 
 import hashlib
 import json
+import logging
 import os
 import struct
 import zlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -34,6 +35,8 @@ MAGIC = b"PLSNAP01"
 PREFIX = struct.Struct("<8sQII")
 ALIGNED = 64
 DTYPES = ("<f4", "<i2", "<f8", "<i4")
+log = logging.getLogger(__name__)
+
 Arrays = dict[str, NDArray[Any]]
 
 
@@ -73,6 +76,25 @@ def content_of(stock: Stock) -> str:
     for array in (stock.ids, stock.planes):
         digest.update(np.ascontiguousarray(array).data)
     return digest.hexdigest()
+
+
+def kept_tree(folder: Path, key: Key, build: Callable[[], Tree]) -> Tree:
+    """The tree of a folder; one that is missing or refused is built and written.
+
+    Nothing here can fail: without the file, searching goes on.
+    """
+    path = folder / key.file_name
+    try:
+        return read_tree(path, key)
+    except IndexFileError as error:
+        if path.exists():
+            log.warning("%s", error)
+    tree = build()
+    try:
+        write_tree(path, tree, key)
+    except IndexFileError as error:
+        log.warning("%s; searching goes on without it", error)
+    return tree
 
 
 def write_tree(path: Path, tree: Tree, key: Key) -> None:

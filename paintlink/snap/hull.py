@@ -79,5 +79,4 @@ def _affine(points: FloatArray) -> FloatArray:
     wanted = np.zeros(count + 1)
     wanted[0] = 1.0
     solution = np.linalg.lstsq(system, wanted, rcond=None)[0]
-    weights: FloatArray = solution[1:]
-    return weights
+    return np.asarray(solution[1:], dtype=np.float64)

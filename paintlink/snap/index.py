@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -11,19 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from paintlink.color import Formula
-from paintlink.errors import IndexFileError
 from paintlink.model import PaintTable
 from paintlink.snap import descent
 from paintlink.snap.bounds import PRUNING
 from paintlink.snap.conditions import Comparison, Conditions
 from paintlink.snap.descent import Nearest
-from paintlink.snap.file import Key, content_of, read_tree, write_tree
 from paintlink.snap.grown import Grown, Mask, follow, whole
 from paintlink.snap.scan import Ranked, rank, shortlist, totals
 from paintlink.snap.stock import Stock, stock_of
 from paintlink.snap.tree import Tree, build
-
-log = logging.getLogger(__name__)
 
 
 @dataclass(slots=True, eq=False, weakref_slot=True)
@@ -78,28 +73,13 @@ class Index:
     def _tree(self, formula: Formula) -> Tree:
         if self.folder is None:
             return tree_of(self.stock, formula)
-        key = self._key(formula)
-        path = self.folder / key.file_name
-        try:
-            return read_tree(path, key)
-        except IndexFileError as error:
-            if path.exists():
-                log.warning("%s", error)
-        tree = tree_of(self.stock, formula)
-        try:
-            write_tree(path, tree, key)
-        except IndexFileError as error:
-            log.warning("%s; searching goes on without it", error)
-        return tree
+        # Only a process that keeps trees in files pays for what that needs.
+        from paintlink.snap.file import Key, content_of, kept_tree
 
-    def _key(self, formula: Formula) -> Key:
-        return Key(
-            self.library,
-            self.generation,
-            self.conditions,
-            space_of(formula),
-            content_of(self.stock),
-        )
+        content = content_of(self.stock)
+        space = space_of(formula)
+        key = Key(self.library, self.generation, self.conditions, space, content)
+        return kept_tree(self.folder, key, partial(tree_of, self.stock, formula))
 
     def renewed(self, table: PaintTable) -> Index:
         """The index of a later state of the library, with its trees where they do."""

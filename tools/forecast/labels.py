@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
 
 from forecast.colours import ANGLES_DEG, colours, deformed, formulas
+from paintlink.errors import InputError
 from paintlink.model import FloatArray
 from paintlink_simulators.colornet import Target, formulate
 from paintlink_simulators.paint import formula
@@ -33,8 +35,9 @@ class Bench:
         nearest = np.argsort(distance, kind="stable")[:STARTS]
         target, best = Target(ANGLES_DEG, lab), np.inf
         for row in nearest:
-            found = formulate(target, [formula(self._parts[row])])
-            best = min(best, found.mean_difference)
+            with suppress(InputError):  # a fit that ends without any pigment
+                found = formulate(target, [formula(self._parts[row])])
+                best = min(best, found.mean_difference)
             if best <= MAKEABLE_DE00:
                 break
         return best
