@@ -10,11 +10,11 @@ ANSWER_S, READ_S, POLL_S, POLLS = 2.0, 5.0, 0.2, 50
 IDLE_S, TAIL_S, LIMIT_S = 0.2, 0.05, 5.0
 END = instrument.up_to(rb"<[0-9A-Fa-f]{2}>")
 SPECTRUM_SIZE, REFUSAL = 62, re.compile(rb"\s*<([0-9A-Fa-f]{2})>\s*")
-BUSY, WORKING, TAKEN = 0x14, 4, (6, 7)
+BUSY, FULL, WORKING, TAKEN = 0x14, 0x37, 4, (6, 7)
 MEANINGS = {
     **{0x11: "unknown command", 0x14: "busy", 0x20: "measurement failed"},
     **{0x27: "bad reading", 0x28: "not calibrated", 0x29: "calibration failed"},
-    **{0x31: "lamp", 0x37: "memory full", 0x3B: "battery low", 0x42: "no reading"},
+    **{0x31: "lamp", FULL: "memory full", 0x3B: "battery low", 0x42: "no reading"},
 }
 
 
@@ -68,9 +68,10 @@ class RciLine:
         kind = errors.NeedsCalibrationError if wanting else errors.InstrumentError
         meaning = "" if first else MEANINGS.get(code, "")
         msg = f"the instrument answered {command} with error {code:02X} {meaning}"
-        raise kind(
-            f"{msg.strip()}: repeat it, and calibrate if it stays", code=f"{code:02X}"
-        )
+        todo = "repeat it, and calibrate if it stays"
+        if meaning == MEANINGS[FULL]:
+            todo = "take over its readings with `paintlink measure --stored`, clear it"
+        raise kind(f"{msg.strip()}: {todo}", code=f"{code:02X}")
 
     def number(self, command: str) -> int:
         """Return the whole number that an answer begins with."""
@@ -80,6 +81,13 @@ class RciLine:
             msg = f"the instrument answered {command} with {quoted(data)}, not a number"
             raise errors.ProtocolError(msg, raw=data.encode("latin-1"))
         return int(found[1])
+
+    def await_idle(self) -> None:
+        """Return once a DTP20 is no longer busy."""
+        for _ in range(POLLS):
+            self.pause()
+            if self.number("CS") != WORKING:
+                return
 
     def await_spot(self, timeout_s: float) -> None:
         """Return once a DTP20 has taken a reading that was not there before."""

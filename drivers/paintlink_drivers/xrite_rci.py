@@ -12,7 +12,7 @@ from paintlink.instrument import Link, Prompt, confirm, option, quoted
 from paintlink_drivers import _rci
 from paintlink_drivers._rci_models import MODELS
 
-RESET_S, PING_S, CALIBRATION_S = 0.5, 1.5, 10.0
+RESET_S, PING_S, CALIBRATION_S, MOST_KEPT = 0.5, 1.5, 10.0, 20
 VALUE = re.compile(r"(?<![XYZ\d.])\d+\.\d+")
 SET_UP = ("0008CF", "0005CF", "0207CF", "020ACF", "001ACF", "0716CF")
 
@@ -50,7 +50,7 @@ class Reader:
         self._options = options
         self._check = instrument.ReadingCheck()
         self._use(options.model)
-        self._calibrated = False
+        self._calibrated, self._ours = False, 0
 
     def identify(self) -> model.Instrument:
         """Return what the version text says, after a reset that clears the line."""
@@ -85,16 +85,16 @@ class Reader:
         for command, sentence in self._dialect.calibrate.items():
             confirm(prompt, sentence + plaque)
             self._line.ask(command, CALIBRATION_S)
-        for _ in range(0 if self._dialect.read else _rci.POLLS):
-            self._line.pause()
-            if self._line.number("CS") != _rci.WORKING:
-                break
+        if not self._dialect.read:
+            self._line.await_idle()
         self._calibrated, self._line.uncalibrated = True, False
 
     def measure(self, prompt: Prompt) -> model.Measurement:
         """Return one reading, started by us or by the button."""
         if self._name == "auto":
             self.identify()
+        if not self._dialect.read:
+            self._make_room()
         if self._options.trigger == "host":
             confirm(prompt, "Set the instrument on the panel and hold it still.")
             self._line.ask("RM", _rci.READ_S)
@@ -106,6 +106,7 @@ class Reader:
             else:
                 self._line.await_spot(wait_s)
         self._calibrated, self._line.uncalibrated = True, False
+        self._ours += 1
         return self._read("01GM", self._check)
 
     def stored(self) -> Iterator[model.Measurement]:
@@ -115,6 +116,13 @@ class Reader:
         ):
             reading = self._read(f"{number:03d}01GM", instrument.ReadingCheck())
             yield replace(reading, record=f"stored {number}")
+
+    def _make_room(self) -> None:
+        """Clear a DTP20's memory where it holds nothing but what we have read."""
+        if self._ours >= MOST_KEPT and self._line.number("00GM") == self._ours:
+            self._line.ask("02CD")
+            self._line.await_idle()
+            self._ours = 0
 
     def _use(self, name: str) -> None:
         self._name = name

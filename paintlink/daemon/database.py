@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import sqlite3
+import threading
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
@@ -22,6 +24,9 @@ from paintlink.errors import JournalError
 
 REFUSED = "the journal refused to store"
 ADVICE = "free disk space or check the disk"
+
+# Writers that meet in SQLite sleep up to 0.1 s at a time; threads queue here instead.
+_turns: defaultdict[str, threading.RLock] = defaultdict(threading.RLock)
 
 
 def utc_now() -> datetime:
@@ -47,6 +52,7 @@ class Database:
         self._now = now
         self._path = path
         self._log_path = path.with_name(path.name + "-wal")
+        self._turn = _turns[str(path)]
         self._connection, self._lock = open_database(path)
 
     def close(self) -> None:
@@ -65,7 +71,7 @@ class Database:
         if self._connection.in_transaction:
             yield
             return
-        with self._watched(REFUSED, ADVICE):
+        with self._turn, self._watched(REFUSED, ADVICE):
             self._bound_log()
             self._connection.execute("BEGIN IMMEDIATE")
             try:

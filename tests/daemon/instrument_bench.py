@@ -29,9 +29,16 @@ def panel() -> Panel:
     return Panel(angles, level * np.linspace(0.9, 1.1, 31), "grey")
 
 
-def simulator(driver: str, seed: int = 1, **options: Any) -> Any:
-    module = modules_in_group("paintlink.simulators").found[driver]
-    return module.create(panel(), clock=time.monotonic, seed=seed, **options)
+def simulator_module(driver: str) -> Any:
+    return modules_in_group("paintlink.simulators").found[driver]
+
+
+def simulator(driver: str, seed: int = 1, speed: float = 1.0, **options: Any) -> Any:
+    """An instrument that works ``speed`` times as fast as a real one."""
+    module = simulator_module(driver)
+    return module.create(
+        panel(), clock=lambda: speed * time.monotonic(), seed=seed, **options
+    )
 
 
 class Desk:
@@ -66,8 +73,7 @@ class Desk:
             InstrumentSettings(**settings),
             self.journal_path,
             stop=self.stop,
-            wake_line=lambda: None,
-            **keywords,
+            **{"wake_line": lambda: None, **keywords},
         )
         scanner = Scanner([port], [worker.wake], stop=self.stop)
         for thread in (worker, scanner):
@@ -88,6 +94,10 @@ class Desk:
 
     def until_state(self, state: str, name: str = "bench") -> float:
         return self.until(lambda: self.status(name).state == state, state)
+
+    def count(self) -> int:
+        """Stored readings."""
+        return sum(self.journal.counts().values())
 
     def statuses(self) -> list[tuple[str, str, str]]:
         return [(one.name, one.state, one.text) for one in self.journal.instruments()]

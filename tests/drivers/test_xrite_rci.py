@@ -246,6 +246,29 @@ def test_echo_before_the_spectrum_is_left_out():
     )
 
 
+def fresh_spectra(count):
+    return [SPECTRUM[2:] + bytes([1, number]) for number in range(count)]
+
+
+@pytest.mark.parametrize(("foreign", "cleared"), [(0, 1), (7, 0)])
+def test_only_own_readings_are_cleared_before_the_memory_is_full(foreign, cleared):
+    stored = b"%d\r<00>" % (foreign + 20)
+    peer = Peer(answers(_00GM=stored, _01GM=fresh_spectra(21)))
+    reader = driver(peer, model="DTP20")
+
+    for _ in range(20):
+        reader.measure(peer.sentences.append)
+    assert b"00GM\r" not in peer.sent
+    reader.measure(peer.sentences.append)
+
+    assert peer.sent.count(b"02CD\r") == cleared
+
+
+def test_full_memory_says_what_to_do():
+    with pytest.raises(InstrumentError, match="37 memory full: take over its readings"):
+        measured(Peer(answers(RM=b"<37>")), model="DTP20")
+
+
 def test_stored_readings_are_numbered_and_stay(peer):
     other = SPECTRUM[2:] + b"\x01\x02"
     peer.answers |= {
