@@ -70,7 +70,7 @@ class RciLine:
         msg = f"the instrument answered {command} with error {code:02X} {meaning}"
         todo = "repeat it, and calibrate if it stays"
         if meaning == MEANINGS[FULL]:
-            todo = "take over its readings with `paintlink measure --stored`, clear it"
+            todo = "take over its readings with `paintlink measure --stored --clear`"
         raise kind(f"{msg.strip()}: {todo}", code=f"{code:02X}")
 
     def number(self, command: str) -> int:
@@ -81,6 +81,14 @@ class RciLine:
             msg = f"the instrument answered {command} with {quoted(data)}, not a number"
             raise errors.ProtocolError(msg, raw=data.encode("latin-1"))
         return int(found[1])
+
+    def serial_number(self) -> str:
+        """Return it; empty when the instrument has no such answer."""
+        with contextlib.suppress(errors.LinkTimeoutError, errors.InstrumentError):
+            answer = self.ask("GI")
+            found = re.search(r"^Serial Number:\s*(\S+)", answer, re.MULTILINE)
+            return found[1] if found else ""
+        return ""
 
     def await_idle(self) -> None:
         """Return once a DTP20 is no longer busy."""

@@ -12,7 +12,7 @@ from paintlink.instrument import Link, Prompt, confirm, option, quoted
 from paintlink_drivers import _rci
 from paintlink_drivers._rci_models import MODELS
 
-RESET_S, PING_S, CALIBRATION_S, MOST_KEPT = 0.5, 1.5, 10.0, 20
+RESET_S, PING_S, CALIBRATION_S, MOST_KEPT = 0.5, 1.5, 10.0, 5
 VALUE = re.compile(r"(?<![XYZ\d.])\d+\.\d+")
 SET_UP = ("0008CF", "0005CF", "0207CF", "020ACF", "001ACF", "0716CF")
 
@@ -50,7 +50,7 @@ class Reader:
         self._options = options
         self._check = instrument.ReadingCheck()
         self._use(options.model)
-        self._calibrated, self._ours = False, 0
+        self._calibrated, self._kept_before = False, -1
 
     def identify(self) -> model.Instrument:
         """Return what the version text says, after a reset that clears the line."""
@@ -67,11 +67,14 @@ class Reader:
             msg = f"no RCI instrument known by name: it answered {quoted(version)}"
             raise errors.WrongInstrumentError(msg, code=version)
         self._use(found[1] if found else self._options.model)
-        for command in () if self._dialect.read else SET_UP:
-            self._line.ask(command)
-        firmware = re.search(r"\d+\.\d+", version)
-        number = firmware[0] if firmware else ""
-        return model.Instrument(INFO.maker, self._name, self._serial(), number)
+        if not self._dialect.read:
+            for command in SET_UP:
+                self._line.ask(command)
+            if self._kept_before < 0:
+                self._kept_before = self._line.number("00GM")
+        firmware = (re.search(r"\d+\.\d+", version) or [""])[0]
+        serial = self._line.serial_number()
+        return model.Instrument(INFO.maker, self._name, serial, firmware)
 
     def calibration(self) -> model.CalibrationState:
         """Return what the last exchange told of it: there is no way to ask."""
@@ -93,8 +96,7 @@ class Reader:
         """Return one reading, started by us or by the button."""
         if self._name == "auto":
             self.identify()
-        if not self._dialect.read:
-            self._make_room()
+        self._make_room()
         if self._options.trigger == "host":
             confirm(prompt, "Set the instrument on the panel and hold it still.")
             self._line.ask("RM", _rci.READ_S)
@@ -106,35 +108,31 @@ class Reader:
             else:
                 self._line.await_spot(wait_s)
         self._calibrated, self._line.uncalibrated = True, False
-        self._ours += 1
         return self._read("01GM", self._check)
 
     def stored(self) -> Iterator[model.Measurement]:
         """Yield the readings a DTP20 keeps."""
-        for number in range(
-            1, 1 if self._dialect.read else self._line.number("00GM") + 1
-        ):
+        count = 0 if self._dialect.read else self._line.number("00GM")
+        for number in range(1, count + 1):
             reading = self._read(f"{number:03d}01GM", instrument.ReadingCheck())
             yield replace(reading, record=f"stored {number}")
 
-    def _make_room(self) -> None:
-        """Clear a DTP20's memory where it holds nothing but what we have read."""
-        if self._ours >= MOST_KEPT and self._line.number("00GM") == self._ours:
+    def clear(self) -> None:
+        """Delete the readings a DTP20 keeps."""
+        if not self._dialect.read:
             self._line.ask("02CD")
             self._line.await_idle()
-            self._ours = 0
+            self._kept_before = 0
+
+    def _make_room(self) -> None:
+        """Clear a DTP20's memory where it holds nothing but what we have read."""
+        if self._kept_before == 0 and self._line.number("00GM") >= MOST_KEPT:
+            self.clear()
 
     def _use(self, name: str) -> None:
         self._name = name
         self._dialect = MODELS.get(name, MODELS["DTP20"])
         self._line.first_generation = self._dialect.first_generation
-
-    def _serial(self) -> str:
-        with contextlib.suppress(errors.LinkTimeoutError, errors.InstrumentError):
-            answer = self._line.ask("GI")
-            found = re.search(r"^Serial Number:\s*(\S+)", answer, re.MULTILINE)
-            return found[1] if found else ""
-        return ""
 
     def _read(self, command: str, check: instrument.ReadingCheck) -> model.Measurement:
         if self._dialect.read:

@@ -31,6 +31,9 @@ if TYPE_CHECKING:
     "--stored", is_flag=True, help="Take over the readings the instrument keeps."
 )
 @click.option(
+    "--clear", is_flag=True, help="With --stored: then delete them in the instrument."
+)
+@click.option(
     "--dry-run", is_flag=True, help="Show the answer; store and send nothing."
 )
 @json_option
@@ -43,6 +46,7 @@ def command(
     readings: int | None,
     finish: Finish | None,
     stored: bool,
+    clear: bool,
     dry_run: bool,
     as_json: bool,
     config: Path | None,
@@ -64,7 +68,7 @@ def command(
         finish=finish or instrument.finish,
     )
     if stored:
-        _take_over(settings, instrument, as_json=as_json)
+        _take_over(settings, instrument, clear=clear, as_json=as_json)
     elif dry_run:
         reading = _look(settings, instrument, sample)
         _show(reading, settings, instrument.finish, as_json=as_json)
@@ -110,7 +114,7 @@ def _look(
 
 
 def _take_over(
-    settings: Settings, instrument: InstrumentSettings, *, as_json: bool
+    settings: Settings, instrument: InstrumentSettings, *, clear: bool, as_json: bool
 ) -> None:
     from paintlink.daemon.journal import Journal
     from paintlink.daemon.oneshot import work_off
@@ -120,6 +124,8 @@ def _take_over(
         captures = settings.captures_folder
         with at_hand(settings, instrument, captures=captures) as session:
             new, known = take_stored(journal, session, instrument.name)
+            if clear:
+                session.clear()
         work_off(settings, journal)
     if as_json:
         print_json({"new": new, "known": known})

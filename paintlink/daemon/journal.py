@@ -91,9 +91,13 @@ class Journal:
         return self._arrivals.readings(name, content_sha256, colours)
 
     def knows(self, reading: Reading) -> bool:
-        """Whether this very reading was accepted before."""
-        key = reading_key(reading)
-        return self._db.one("SELECT 1 FROM readings WHERE key = ?", key) is not None
+        """Whether this very reading was accepted before, alone or in an average."""
+        found = self._db.one(
+            "SELECT 1 FROM readings WHERE key = ?1 OR (?2 != x'' AND instr(raw, ?2))",
+            reading_key(reading),
+            reading.measurement.raw,
+        )
+        return found is not None
 
     def accept_file(self, name: str, content_sha256: str, spec: ColorSpec) -> str:
         """Token of the job for a specification that arrived as a file."""

@@ -191,31 +191,43 @@ class Session:
         InstrumentError
             When it keeps none.
         """
-        driver = self._captured("stored")
-        if not isinstance(driver, ReadingMemory):
-            msg = f"{self.instrument.model} keeps no readings: measure with it instead"
-            raise InstrumentError(msg)
-        for measurement in driver.stored():
+        for measurement in self._memory("stored").stored():
             sample = f"{self._settings.name} {measurement.record}"
-            yield self._reading(measurement, sample, None)
+            yield self._reading(measurement, sample, None, ask=False)
+
+    def clear(self) -> None:
+        """Delete the readings the instrument keeps."""
+        self._memory("clear").clear()
 
     def close(self) -> None:
         """Give the port back; never fails."""
         self._stream.close()
         self._recorder.close()
 
+    def _memory(self, verb: Verb) -> ReadingMemory:
+        driver = self._captured(verb)
+        if not isinstance(driver, ReadingMemory):
+            msg = f"{self.instrument.model} keeps no readings: measure with it instead"
+            raise InstrumentError(msg)
+        return driver
+
     def _measure(self, prompt: Prompt) -> Measurement:
         return self._captured("measure").measure(prompt)
 
     def _reading(
-        self, measurement: Measurement, sample: str, calibrated_at: datetime | None
+        self,
+        measurement: Measurement,
+        sample: str,
+        calibrated_at: datetime | None,
+        *,
+        ask: bool = True,
     ) -> Reading:
         return Reading(
             measurement=measurement,
             instrument=self.instrument,
             taken_at=self._now(),
             origin=self.origin,
-            calibration=Calibration(self._state(), calibrated_at),
+            calibration=Calibration(self._state() if ask else "unknown", calibrated_at),
             sample=sample,
             finish=self._settings.finish,
         )

@@ -145,6 +145,9 @@ class ReadingMemory(Protocol):
         """
         ...
 
+    def clear(self) -> None:
+        """Delete every kept reading."""
+
 
 class Confirming(Protocol):
     """A prompt that can also wait for the operator."""

@@ -21,7 +21,7 @@ from typing import Literal, NamedTuple, get_args
 from paintlink.errors import InputError
 from paintlink.instrument import Direction
 
-Verb = Literal["identify", "calibration", "calibrate", "measure", "stored"]
+Verb = Literal["identify", "calibration", "calibrate", "measure", "stored", "clear"]
 
 MAGIC = "paintlink-capture"
 VERSION = 1

@@ -120,6 +120,7 @@ def _outcome(driver: Driver, verb: Verb) -> Outcome:
         "calibrate": lambda: driver.calibrate(_no_operator),
         "measure": lambda: driver.measure(_no_operator),
         "stored": lambda: _stored(driver),
+        "clear": lambda: _clear(driver),
     }
     try:
         return Outcome(verb, verbs[verb](), None)
@@ -131,6 +132,11 @@ def _outcome(driver: Driver, verb: Verb) -> Outcome:
 
 def _stored(driver: Driver) -> tuple[Measurement, ...]:
     return tuple(driver.stored()) if isinstance(driver, ReadingMemory) else ()
+
+
+def _clear(driver: Driver) -> None:
+    if isinstance(driver, ReadingMemory):
+        driver.clear()
 
 
 def _no_operator(_sentence: str) -> None:

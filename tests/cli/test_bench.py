@@ -13,6 +13,9 @@ from click.testing import CliRunner, Result
 from paintlink.cli import main
 from paintlink.daemon.journal import Journal
 from paintlink_simulators import PtyPort
+from paintlink_simulators.ports.usbip import UsbIpPort
+from paintlink_simulators.usb import RciFunction
+from paintlink_simulators.usb.socket import UsbSocket
 from tests.daemon.instrument_bench import simulator
 
 Run = Callable[..., Result]
@@ -121,3 +124,51 @@ def test_devices_show_state_and_kinds(configure: Callable[..., Path]) -> None:
     assert found["instruments"][0]["text"] == "start the service with `paintlink run`"
     assert {one["driver"] for one in found["kinds"]} >= {"chn_cr30", "xrite_rci"}
     assert not any(one["hardware_tested"] for one in found["kinds"])
+
+
+@pytest.fixture
+def strip_reader(tmp_path: Path) -> Iterator[tuple[Path, Any]]:
+    """A configuration with a DTP20 behind a USB/IP server, and the instrument."""
+    instrument = simulator("xrite_rci", speed=20.0)
+    config = tmp_path / "paintlink.toml"
+    with UsbIpPort([UsbSocket(RciFunction(instrument))]) as port:
+        text = CONFIG.replace("{port}", port.url()).replace("chn_cr30", "xrite_rci")
+        config.write_text(text.format(folder=tmp_path, more=""))
+        yield config, instrument
+
+
+def test_stored_readings_are_taken_over_once(strip_reader: tuple[Path, Any]) -> None:
+    config, _ = strip_reader
+    for _ in range(2):
+        run(config, "measure", "bench", "--json")
+
+    averaged = document(run(config, "measure", "bench", "--readings", "2", "--json"))
+    first = document(run(config, "measure", "bench", "--stored", "--json"))
+    again = document(run(config, "measure", "bench", "--stored", "--clear", "--json"))
+    cleared = document(run(config, "measure", "bench", "--stored", "--json"))
+
+    assert averaged["state"] == "done"
+    assert first == {"new": 0, "known": 4}
+    assert again == first
+    assert cleared == {"new": 0, "known": 0}
+
+
+def test_readings_taken_without_us_are_new_once(
+    strip_reader: tuple[Path, Any],
+) -> None:
+    config, instrument = strip_reader
+    for _ in range(3):
+        instrument.press()
+
+    first = document(run(config, "measure", "bench", "--stored", "--json"))
+    again = document(run(config, "measure", "bench", "--stored", "--json"))
+
+    assert first == {"new": 3, "known": 0}
+    assert again == {"new": 0, "known": 3}
+
+
+def test_instrument_without_memory_says_so(configure: Callable[..., Path]) -> None:
+    result = run(configure(), "measure", "bench", "--stored")
+
+    assert result.exit_code == 4
+    assert "CR30 keeps no readings: measure with it instead" in result.output

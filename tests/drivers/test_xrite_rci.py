@@ -74,10 +74,11 @@ def test_golden_session_gives_the_golden_spectrum(peer):
 
     assert identity == Instrument("X-Rite", "DTP20", "SIM00001", "1.00")
     assert peer.sent[:opened] == [
-        *(b"0PR\r", b"0PR\r", b"\r", b"CE\r", b"SV\r", *SET_UP, b"GI\r"),
+        *(b"0PR\r", b"0PR\r", b"\r", b"CE\r", b"SV\r", *SET_UP, b"00GM\r"),
+        b"GI\r",
     ]
     assert peer.sent[opened:] == [
-        *(b"RM\r", b"0318CF\r", b"011BCF\r", b"01GM\r", b"001BCF\r"),
+        *(b"00GM\r", b"RM\r", b"0318CF\r", b"011BCF\r", b"01GM\r", b"001BCF\r"),
     ]
     assert np.allclose(reading.spectra.factors, GOLDEN, rtol=0, atol=1e-15)
     assert reading.raw == SPECTRUM
@@ -250,18 +251,23 @@ def fresh_spectra(count):
     return [SPECTRUM[2:] + bytes([1, number]) for number in range(count)]
 
 
-@pytest.mark.parametrize(("foreign", "cleared"), [(0, 1), (7, 0)])
-def test_only_own_readings_are_cleared_before_the_memory_is_full(foreign, cleared):
-    stored = b"%d\r<00>" % (foreign + 20)
-    peer = Peer(answers(_00GM=stored, _01GM=fresh_spectra(21)))
-    reader = driver(peer, model="DTP20")
+@pytest.mark.parametrize(("before", "cleared"), [(0, 1), (7, 0)])
+def test_memory_is_cleared_only_where_it_was_empty_before(before, cleared):
+    counts = [b"%d\r<00>" % (before + number) for number in range(6)]
+    peer = Peer(answers(_00GM=counts, _01GM=fresh_spectra(6)))
+    reader = driver(peer)
+    reader.identify()
 
-    for _ in range(20):
+    for _ in range(5):
         reader.measure(peer.sentences.append)
-    assert b"00GM\r" not in peer.sent
-    reader.measure(peer.sentences.append)
 
     assert peer.sent.count(b"02CD\r") == cleared
+
+
+def test_memory_is_cleared_on_demand(peer):
+    driver(peer, model="DTP20").clear()
+
+    assert peer.sent[0] == b"02CD\r"
 
 
 def test_full_memory_says_what_to_do():
