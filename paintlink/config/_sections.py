@@ -113,8 +113,8 @@ class InstrumentSettings:
     serial: Annotated[
         str,
         Key(
-            "Serial number from the type plate. Only needed where the instrument "
-            "cannot tell its own, so that readings can be traced to it."
+            "Serial number from the type plate, for an instrument that cannot tell its "
+            "own. One that tells another number is refused."
         ),
     ] = ""
     origin: Annotated[
