@@ -63,13 +63,22 @@ class Database:
             self._lock = -1
 
     @contextmanager
-    def transaction(self) -> Iterator[None]:
+    def transaction(self, *, durable: bool = True) -> Iterator[None]:
         """One durable transaction: committed on leaving, rolled back on any error.
 
         One inside another is part of it: nothing is durable before the outer one is.
+
+        Parameters
+        ----------
+        durable
+            False: seen by everybody at once, synced with the next durable one.
         """
         if self._connection.in_transaction:
             yield
+            return
+        if not durable:
+            with self._without_sync(), self.transaction():
+                yield
             return
         with self._turn, self._watched(REFUSED, ADVICE):
             self._bound_log()
@@ -80,6 +89,14 @@ class Database:
             except BaseException:
                 self._roll_back()
                 raise
+
+    @contextmanager
+    def _without_sync(self) -> Iterator[None]:
+        self._connection.execute("PRAGMA synchronous=NORMAL")
+        try:
+            yield
+        finally:
+            self._connection.execute("PRAGMA synchronous=FULL")
 
     def one(self, sql: str, *values: Any) -> sqlite3.Row | None:
         """The first row of a query."""

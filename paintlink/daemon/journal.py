@@ -243,7 +243,7 @@ class Journal:
 
     def set_instrument(self, status: InstrumentStatus) -> None:
         """Keep what an instrument is doing, for whoever asks from another process."""
-        with self._db.transaction():
+        with self._db.transaction(durable=False):
             self._db.run(
                 "INSERT OR REPLACE INTO instruments VALUES (?, ?, ?, ?, ?)",
                 status.name,

@@ -314,3 +314,12 @@ def test_folder_that_cannot_be_made_is_named(tmp_path: Path) -> None:
 
     with pytest.raises(JournalError, match="cannot open the journal"):
         Journal(tmp_path / "file" / "journal.db")
+
+
+def test_state_of_an_instrument_costs_no_sync_and_readings_still_do(
+    journal: Journal,
+) -> None:
+    journal.set_instrument(InstrumentStatus("bench", "ready", "press"))
+
+    assert journal.instruments()[0].text == "press"
+    assert journal._db.one("PRAGMA synchronous")[0] == 2  # type: ignore[index]
