@@ -13,6 +13,7 @@ from paintlink.config._sections import (
     LogSettings,
     PreviewSettings,
     RouteSettings,
+    SinkSettings,
     SiteSettings,
     SnapSettings,
     StateSettings,
@@ -30,6 +31,7 @@ class Document:
     inbox: InboxSettings
     snap: SnapSettings = field(default_factory=SnapSettings)
     route: tuple[RouteSettings, ...] = ()
+    sink: tuple[SinkSettings, ...] = ()
     formulation: FormulationSettings = field(default_factory=FormulationSettings)
     preview: PreviewSettings = field(default_factory=PreviewSettings)
     log: LogSettings = field(default_factory=LogSettings)
@@ -43,6 +45,7 @@ class Document:
             inbox=self.inbox,
             snap=self.snap,
             routes=self.route,
+            sinks=self.sink,
             formulation=self.formulation,
             preview=self.preview,
             log=self.log,

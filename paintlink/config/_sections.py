@@ -28,6 +28,10 @@ def _is_list(value: object) -> bool:
     return isinstance(value, list | tuple)
 
 
+def _is_web(text: str) -> bool:
+    return text.startswith(("http://", "https://"))
+
+
 Baud = Literal[
     300,
     600,
@@ -407,6 +411,36 @@ class FormulationSettings:
         whole(1, 20),
         Key("Panels after which a person decides instead of another correction."),
     ] = 3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SinkSettings:
+    """A program that is told what happens to jobs. Repeat the block for each."""
+
+    name: Annotated[
+        FilledText, Key("Your name for it. Each needs its own.", "dashboard")
+    ]
+    url: Annotated[
+        str,
+        Rule('an address that begins with "http://" or "https://"', _is_web),
+        Key(
+            "Where every event is posted to as JSON, in order, again and again until "
+            "it is answered with success. A redirection is not followed.",
+            "http://127.0.0.1:9000/paintlink",
+        ),
+    ]
+    kinds: Annotated[
+        tuple[str, ...],
+        Rule("a list of kinds of events in quotes", _is_list),
+        Key('Kinds of events to tell, such as ["done", "failed"]; all when empty.'),
+    ] = ()
+    secret: Annotated[
+        str,
+        Key(
+            "Shared with the other program: each post is then signed with HMAC-SHA256 "
+            "in the header X-Paintlink-Signature."
+        ),
+    ] = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

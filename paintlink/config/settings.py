@@ -13,6 +13,7 @@ from paintlink.config._sections import (
     LogSettings,
     PreviewSettings,
     RouteSettings,
+    SinkSettings,
     SiteSettings,
     SnapSettings,
     StateSettings,
@@ -32,6 +33,7 @@ class Settings:
     instruments: tuple[InstrumentSettings, ...] = ()
     snap: SnapSettings = field(default_factory=SnapSettings)
     routes: tuple[RouteSettings, ...] = ()
+    sinks: tuple[SinkSettings, ...] = ()
     formulation: FormulationSettings = field(default_factory=FormulationSettings)
     preview: PreviewSettings = field(default_factory=PreviewSettings)
     log: LogSettings = field(default_factory=LogSettings)

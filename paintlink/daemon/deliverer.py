@@ -22,15 +22,17 @@ from paintlink.export import (
     discard,
     outcome,
     publish,
+    publish_many,
     render,
     require_share,
-    stage,
+    stage_many,
 )
 
 log = logging.getLogger(__name__)
 
 BEYOND_REPEATING = {"exists", "name", "format", "starting-paint"}
 LOOK_AGAIN_S = 5.0
+TOGETHER = 32
 
 
 def staged_name(job: Job, delivery: Delivery) -> str:
@@ -53,6 +55,8 @@ class Deliverer:
         The route to serve; None serves all.
     without
         Routes that others serve.
+    threads
+        How many files to sync at once.
     """
 
     def __init__(
@@ -64,7 +68,9 @@ class Deliverer:
         clock: Callable[[], float],
         only: str | None = None,
         without: Sequence[str] = (),
+        threads: int = 1,
     ) -> None:
+        self._threads = threads
         self._journal = journal
         self._routes = {route.name: route for route in routes}
         self._formats = formats
@@ -76,29 +82,28 @@ class Deliverer:
         self._looked_at = float("-inf")
 
     def step(self) -> bool:
-        """Take one delivery further; False when none is due."""
+        """Take some deliveries further, in one go; False when none is due."""
         now = self._clock()
         resting = [
             name
             for name, at in self._resting_until.items()
             if now < at <= now + FARTHEST_RETRY_S
         ]
-        delivery = self._journal.deliveries.due(
-            now, route=self._only, without=[*self._without, *resting]
+        due = self._journal.deliveries.due_together(
+            now, TOGETHER, route=self._only, without=[*self._without, *resting]
         )
-        if delivery is None:
+        if not due:
             return False
-        job = self._journal.job_by_id(delivery.job_id)
         try:
-            self._require_folder(delivery)
-            if delivery.state == "pending":
-                delivery = self._stage(delivery, job)
-            self._publish(delivery, staged_name(job, delivery))
+            self._require_folder(due[0])
+            if due[0].state == "pending":
+                self._deliver(due)
+            else:
+                self._continue(due[0])
         except ExportError as error:
-            log.warning("%s %s: %s", job.token, delivery.route, error)
-            self._not_delivered(delivery, job, error)
+            self._not_delivered(due[0], error)
         else:
-            self._resting_until.pop(delivery.route, None)
+            self._resting_until.pop(due[0].route, None)
         return True
 
     def look_at_folders(self) -> None:
@@ -150,16 +155,62 @@ class Deliverer:
         if route is not None and route.share:
             require_share(Path(delivery.folder))
 
-    def _stage(self, delivery: Delivery, job: Job) -> Delivery:
-        route = self._route(delivery)
-        file = self._render(route, job, delivery.copy)
-        stage(
-            Path(delivery.folder),
-            staged_name(job, delivery),
-            file.data,
-            mode=route.mode_bits,
-        )
-        return self._journal.deliveries.set_publishing(delivery, file.name, file.sha256)
+    def _deliver(self, due: Sequence[Delivery]) -> None:
+        """Stage, mark, publish and mark again: one sync of each kind for all."""
+        files = self._rendered(due)
+        if not files:
+            return
+        folder, route = Path(due[0].folder), self._route(due[0])
+        data = {token: file.data for token, (_, file) in files.items()}
+        stage_many(folder, data, mode=route.mode_bits, threads=self._threads)
+        with self._journal.transaction():
+            staged = {
+                token: self._journal.deliveries.set_publishing(
+                    delivery, file.name, file.sha256
+                )
+                for token, (delivery, file) in files.items()
+            }
+        refused = publish_many(folder, {k: one.name for k, one in staged.items()})
+        with self._journal.transaction():
+            for token, delivery in staged.items():
+                if token not in refused:
+                    self._written(delivery)
+        for token, error in refused.items():
+            self._not_delivered(staged[token], error)
+
+    def _rendered(
+        self, due: Sequence[Delivery]
+    ) -> dict[str, tuple[Delivery, ExportFile]]:
+        """The files by token; a job that cannot become one fails by itself."""
+        files = {}
+        for delivery in due:
+            job = self._journal.head(delivery.job_id)
+            try:
+                file = self._render(self._route(delivery), job, delivery.copy)
+            except ExportError as error:
+                self._not_delivered(delivery, error)
+            else:
+                files[staged_name(job, delivery)] = (delivery, file)
+        return files
+
+    def _continue(self, delivery: Delivery) -> None:
+        """Find out what became of an interrupted delivery, and finish it."""
+        folder, token = Path(delivery.folder), self._token(delivery)
+        state = outcome(folder, token)
+        if state == "unknown":
+            note = f"{folder}/.paintlink is gone: look whether {delivery.name} arrived"
+            self._journal.deliveries.settle(delivery, "unknown", note)
+            return
+        if state == "staged":
+            publish(folder, token, delivery.name)
+        self._written(delivery)
+
+    def _written(self, delivery: Delivery) -> None:
+        self._journal.deliveries.settle(delivery, "written", delivery.name)
+        log.info("%s wrote %s", delivery.route, delivery.name)
+
+    def _token(self, delivery: Delivery) -> str:
+        return staged_name(self._journal.head(delivery.job_id), delivery)
 
     def _render(self, route: RouteSettings, job: Job, copy: int) -> ExportFile:
         if job.spec is None or route.format not in self._formats:
@@ -174,24 +225,14 @@ class Deliverer:
         created = datetime.fromisoformat(job.created_at)
         panels = self._journal.formulas.panels(job.id)
         facts = JobFacts(job.token, created, job.origin, copy, panels)
-        return render(job.spec, chosen, job=facts)
+        return render(job.spec, chosen, job=facts, document=job.document)
 
-    def _publish(self, delivery: Delivery, token: str) -> None:
-        folder = Path(delivery.folder)
-        state = outcome(folder, token)
-        if state == "unknown":
-            note = f"{folder}/.paintlink is gone: look whether {delivery.name} arrived"
-            self._journal.deliveries.settle(delivery, "unknown", note)
-            return
-        if state == "staged":
-            publish(folder, token, delivery.name)
-        self._journal.deliveries.settle(delivery, "written", delivery.name)
-        log.info("%s wrote %s", delivery.route, delivery.name)
-
-    def _not_delivered(self, delivery: Delivery, job: Job, error: ExportError) -> None:
+    def _not_delivered(self, delivery: Delivery, error: ExportError) -> None:
         """Try again what a repaired folder cures; ask a person about the rest."""
+        token = self._token(delivery)
+        log.warning("%s %s: %s", token, delivery.route, error)
         if error.kind in BEYOND_REPEATING:
-            discard(Path(delivery.folder), staged_name(job, delivery))
+            discard(Path(delivery.folder), token)
             self._journal.deliveries.settle(delivery, "failed", str(error))
             return
         retry_at = self._clock() + retry_delay_s(delivery.attempts)

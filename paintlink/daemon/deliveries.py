@@ -42,7 +42,19 @@ class Deliveries:
     def due(
         self, now_s: float, *, route: str | None = None, without: Sequence[str] = ()
     ) -> Delivery | None:
-        """The delivery to work on next: interrupted ones first.
+        """The delivery to work on next: interrupted ones first."""
+        found = self.due_together(now_s, 1, route=route, without=without)
+        return found[0] if found else None
+
+    def due_together(
+        self,
+        now_s: float,
+        limit: int,
+        *,
+        route: str | None = None,
+        without: Sequence[str] = (),
+    ) -> tuple[Delivery, ...]:
+        """Deliveries to work on next, of one route and state: interrupted ones first.
 
         None is staged into a folder where another one is still being published:
         staging would make a lost staging folder anew and hide the loss.
@@ -53,20 +65,27 @@ class Deliveries:
             Only those of this route; none of these routes.
         """
         marks = ", ".join("?" * len(without))
-        row = self._db.one(
+        rows = self._db.all(
             "SELECT * FROM deliveries AS d WHERE state IN ('pending', 'publishing') "
             "AND (retry_at <= ? OR retry_at > ?) AND (? IS NULL OR route = ?) "
             f"AND route NOT IN ({marks}) "
             "AND (state = 'publishing' OR NOT EXISTS ("
             "SELECT 1 FROM deliveries WHERE state = 'publishing' "
-            "AND folder = d.folder)) ORDER BY state DESC, retry_at, id LIMIT 1",
+            "AND folder = d.folder)) ORDER BY state DESC, retry_at, id LIMIT ?",
             now_s,
             now_s + FARTHEST_RETRY_S,
             route,
             route,
             *without,
+            limit,
         )
-        return delivery_from_row(row) if row else None
+        found = [delivery_from_row(row) for row in rows]
+        return tuple(
+            one
+            for one in found
+            if (one.state, one.route, one.folder)
+            == (found[0].state, found[0].route, found[0].folder)
+        )
 
     def next_retry_s(self) -> float | None:
         """When the next postponed delivery becomes due, in seconds since 1970."""

@@ -86,18 +86,21 @@ def reading_from_json(text: str, raw: bytes) -> Reading:
 
 def match_to_json(match: Match) -> str:
     """A match as one JSON object."""
-    document = asdict(match)
-    document["differences"] = [item._asdict() for item in match.differences]
-    return json.dumps(document)
+    return json.dumps({name: getattr(match, name) for name in Match.__slots__})
 
 
 def match_from_json(text: str) -> Match:
     """The match that `match_to_json` wrote."""
     data: dict[str, Any] = json.loads(text)
-    data["differences"] = tuple(AngleDifference(**one) for one in data["differences"])
+    data["differences"] = tuple(map(_difference, data["differences"]))
     data["angles_deg"] = tuple(data["angles_deg"])
     data["estimated_deg"] = tuple(data.get("estimated_deg", ()))
     return Match(**data)
+
+
+def _difference(data: list[float] | dict[str, float]) -> AngleDifference:
+    """One difference; journals of the first version wrote its names too."""
+    return AngleDifference(**data) if isinstance(data, dict) else AngleDifference(*data)
 
 
 def _time_text(moment: datetime | None) -> str | None:

@@ -78,6 +78,8 @@ class Observing:
     def __init__(self) -> None:
         from watchdog.observers import Observer
 
+        # It warns of events that arrive while it is being stopped.
+        logging.getLogger("watchdog").setLevel(logging.ERROR)
         self._observer = Observer()
 
     def schedule(self, handler: Callable[[], None], folder: Path) -> None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import sqlite3
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import AbstractContextManager
+from dataclasses import replace
 from datetime import datetime
+from functools import lru_cache
 from pathlib import Path
 from types import TracebackType
 from typing import Self
@@ -21,6 +23,7 @@ from paintlink.daemon.documents import (
 )
 from paintlink.daemon.formulas import Formulas
 from paintlink.daemon.keeping import Keeping
+from paintlink.daemon.outbox import Outbox
 from paintlink.daemon.records import Event, InstrumentStatus, Job, JobState, Preview
 from paintlink.daemon.trail import Trail
 from paintlink.errors import JournalError
@@ -28,6 +31,9 @@ from paintlink.model import ColorSpec, Match, Reading
 from paintlink.spec import read_spec, write_spec
 
 JOB_ORDER = "SELECT * FROM jobs {where} ORDER BY id {order} LIMIT ?"
+
+
+stored_spec = lru_cache(maxsize=64)(read_spec)
 
 
 class Journal:
@@ -51,6 +57,7 @@ class Journal:
         self._arrivals = Arrivals(self._db)
         self.trail = Trail(self._db)
         self.formulas = Formulas(self._db)
+        self.outbox = Outbox(self._db)
         self.keeping = Keeping(self._db)
 
     def __enter__(self) -> Self:
@@ -123,10 +130,22 @@ class Journal:
         found = self.jobs(state=state, limit=1, newest_first=False)
         return found[0] if found else None
 
-    def set_specified(self, job: Job, spec: ColorSpec) -> None:
-        """Keep the specification made from a reading."""
-        document = write_spec(spec)
+    def oldest(self, states: Sequence[JobState], limit: int) -> tuple[Job, ...]:
+        """The oldest jobs in any of some states."""
+        marks = ", ".join("?" * len(states))
+        sql = f"SELECT * FROM jobs WHERE state IN ({marks}) ORDER BY id LIMIT ?"
+        return tuple(self._job(row) for row in self._db.all(sql, *states, limit))
+
+    def set_specified(self, job: Job, spec: ColorSpec, *, keep: bool = True) -> None:
+        """Keep the specification made from a reading.
+
+        Without ``keep`` it is only noted: the matches come in the same transaction.
+        """
         with self._db.transaction():
+            if not keep:
+                self._db.log(job.id, "specified", spec.name)
+                return
+            document = write_spec(spec)
             self._db.update("jobs", job.id, spec=document, state="specified")
             self._db.log(job.id, "specified", spec.name, spec_sha256=sha256(document))
 
@@ -279,6 +298,14 @@ class Journal:
         rows = self._db.all("SELECT * FROM jobs WHERE token LIKE ? LIMIT 2", pattern)
         return self._job(rows[0]) if len(rows) == 1 and len(pattern) > 1 else None
 
+    def head(self, job_id: int) -> Job:
+        """A job without its matches, deliveries and picture: all a file is made of."""
+        row = self._db.one("SELECT * FROM jobs WHERE id = ?", job_id)
+        if row is None:
+            msg = f"the journal holds no job {job_id}"
+            raise JournalError(msg)
+        return _head(row)
+
     def job_by_id(self, job_id: int) -> Job:
         """The job a delivery or a picture belongs to."""
         row = self._db.one("SELECT * FROM jobs WHERE id = ?", job_id)
@@ -307,24 +334,31 @@ class Journal:
             "SELECT * FROM deliveries WHERE job_id = ? ORDER BY id", row["id"]
         )
         preview = self._db.one("SELECT * FROM previews WHERE job_id = ?", row["id"])
-        return Job(
-            id=row["id"],
-            token=row["token"],
-            reading_id=row["reading_id"],
-            source=row["source"],
-            origin=row["origin"],
-            state=row["state"],
-            created_at=row["created_at"],
-            spec=read_spec(row["spec"]) if row["spec"] else None,
+        return replace(
+            _head(row),
             matches=tuple(match_from_json(one["document"]) for one in matches),
             deliveries=tuple(delivery_from_row(one) for one in deliveries),
             preview=Preview(*preview) if preview else None,
-            error=row["error"],
-            order_id=row["order_id"],
-            panel_of=row["panel_of"],
-            iteration=row["iteration"],
         )
 
     def _reopen(self, job: Job) -> None:
         if job.state == "done":
             self._db.update("jobs", job.id, state="matched")
+
+
+def _head(row: sqlite3.Row) -> Job:
+    return Job(
+        id=row["id"],
+        token=row["token"],
+        reading_id=row["reading_id"],
+        source=row["source"],
+        origin=row["origin"],
+        state=row["state"],
+        created_at=row["created_at"],
+        spec=stored_spec(row["spec"]) if row["spec"] else None,
+        document=row["spec"] or b"",
+        error=row["error"],
+        order_id=row["order_id"],
+        panel_of=row["panel_of"],
+        iteration=row["iteration"],
+    )

@@ -7,7 +7,9 @@ nothing twice.
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from functools import partial
 
 from paintlink.config import Settings
 from paintlink.daemon.deliverer import Deliverer
@@ -15,11 +17,15 @@ from paintlink.daemon.formulation import Booth
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.pipeline import match, open_routes, specify
 from paintlink.daemon.records import Job
-from paintlink.errors import InputError
+from paintlink.errors import InputError, ReadingError
 from paintlink.export import Format
-from paintlink.model import PaintTable
+from paintlink.model import ColorSpec, PaintTable
 
 log = logging.getLogger(__name__)
+
+TOGETHER = 16
+
+Change = Callable[[], object]
 
 
 class Line:
@@ -53,49 +59,62 @@ class Line:
 
     def step(self) -> bool:
         """Do one piece of work; False when nothing is waiting."""
-        return self._specify() or self._match() or self._deliverer.step()
+        return self._advance() or self._deliverer.step()
 
     def look_at_folders(self) -> None:
         """Note which files the other programs have taken, and which lie too long."""
         self._deliverer.look_at_folders()
 
-    def _specify(self) -> bool:
-        job = self._journal.waiting("received")
-        if job is None:
-            return False
-        if job.reading_id is None:
-            self._journal.fail(job, "the journal holds no reading for this job")
-            return True
-        try:
-            spec = specify(self._journal.reading(job.reading_id))
-            self._journal.set_specified(job, spec)
-        except InputError as error:
-            self._fail(job, error)
-        return True
+    def _advance(self) -> bool:
+        """Take some jobs as far as their deliveries, with one sync for all.
 
-    def _match(self) -> bool:
-        job = self._journal.waiting("specified")
-        if job is None or job.spec is None:
-            return False
+        What takes time is done before the transaction begins: intake never waits.
+        """
+        jobs = self._journal.oldest(("received", "specified"), TOGETHER)
+        changes = [change for job in jobs for change in self._changes(job)]
+        with self._journal.transaction():
+            for change in changes:
+                change()
+        return bool(jobs)
+
+    def _changes(self, job: Job) -> Iterator[Change]:
+        """What is to be stored for a job, in this order."""
+        begun, keep = job.state, True
+        try:
+            if begun == "received":
+                job = replace(job, spec=self._specified(job))
+            matched = tuple(self._matched(job))
+            keep = self._booth.panel_of(job) is not None
+        except InputError as error:
+            matched = (partial(self._fail, job, error),)
+        if begun == "received" and job.spec is not None:
+            # A specification that is stored again with its matches is only noted.
+            yield partial(self._journal.set_specified, job, job.spec, keep=keep)
+        yield from matched
+
+    def _specified(self, job: Job) -> ColorSpec:
+        if job.reading_id is None:
+            msg = "the journal holds no reading for this job"
+            raise ReadingError(msg)
+        return specify(self._journal.reading(job.reading_id))
+
+    def _matched(self, job: Job) -> Iterator[Change]:
         root = self._booth.panel_of(job)
         if root is not None:
-            self._booth.judge(job, root)
-            return True
-        try:
-            spec, matches = match(job.spec, self._table, self._settings.snap)
-        except InputError as error:
-            self._fail(job, error)
-            return True
+            yield partial(self._booth.judge, job, root)
+            return
+        if job.spec is None:
+            return
+        spec, matches = match(job.spec, self._table, self._settings.snap)
         routes = open_routes(self._settings.routes, job.origin)
-        self._journal.set_matched(
-            job, spec, matches, [(route.name, str(route.folder)) for route in routes]
-        )
+        folders = [(route.name, str(route.folder)) for route in routes]
+        yield partial(self._journal.set_matched, job, spec, matches, folders)
         if self._settings.preview.enabled:
-            self._journal.request_preview(job)
+            yield partial(self._journal.request_preview, job)
         if not routes:
-            self._journal.finish(job, f"no route accepts {job.origin} readings")
+            why = f"no route accepts {job.origin} readings"
+            yield partial(self._journal.finish, job, why)
         log.info("%s nearest %s", job.token, matches[0].code)
-        return True
 
     def _fail(self, job: Job, error: InputError) -> None:
         log.warning("%s failed: %s", job.token, error)

@@ -47,7 +47,10 @@ class Preview:
 
 @dataclass(frozen=True, slots=True)
 class Job:
-    """One colour on its way from the reading to the formulation software."""
+    """One colour on its way from the reading to the formulation software.
+
+    ``document`` is the specification as it is stored.
+    """
 
     id: int
     token: str
@@ -61,6 +64,7 @@ class Job:
     deliveries: tuple[Delivery, ...] = ()
     preview: Preview | None = None
     error: str = ""
+    document: bytes = b""
     order_id: int | None = None
     panel_of: int | None = None
     iteration: int = 0

@@ -7,7 +7,7 @@ import threading
 import time
 from collections.abc import Callable, Sequence
 
-from paintlink.config import Settings
+from paintlink.config import Settings, SinkSettings
 from paintlink.daemon.deliverer import Deliverer
 from paintlink.daemon.formulation import AnswerWorker
 from paintlink.daemon.hints import Hints, Watcher
@@ -18,6 +18,7 @@ from paintlink.daemon.line import Line
 from paintlink.daemon.render import Render
 from paintlink.daemon.roles import ROLES, Role, RoleLocks
 from paintlink.daemon.scanner import Scanner
+from paintlink.daemon.sinks import SinkWorker
 from paintlink.daemon.worker import Worker
 from paintlink.export import load_formats
 from paintlink.intake import Inbox, InboxFolders, load_profiles
@@ -29,6 +30,7 @@ STOP_LIMIT_S = 5.0
 STALL_S = 60.0
 SHARE_POLL_S = 2.0
 SETTLING_S = 0.25
+SYNCED_AT_ONCE = 16
 PATIENCE = 5.0  # quiet times that a file which cannot be read may still take
 
 
@@ -137,6 +139,10 @@ class Service:
         now = time.monotonic()
         return all(now - one.last_beat_s < STALL_S for one in self._workers)
 
+    def wake(self) -> None:
+        """Look for stored readings now."""
+        self._wake_line()
+
     def _wake_line(self) -> None:
         if self._line is not None:
             self._line.wake()
@@ -172,6 +178,7 @@ class Service:
         self._workers += self._deliverers
         if self.settings.formulation.enabled:
             self._workers.append(self._make_answers())
+        self._workers += map(self._make_sink, self.settings.sinks)
         return self._line
 
     def _make_deliverer(self, route: str) -> Worker:
@@ -184,6 +191,7 @@ class Service:
                 load_formats(self.settings.formats_folder),
                 clock=time.time,
                 only=route,
+                threads=SYNCED_AT_ONCE,
             )
 
             def step() -> bool:
@@ -199,6 +207,12 @@ class Service:
             if one.name == route and not one.share:
                 self._hints.watch(one.folder, worker.wake)
         return worker
+
+    def _make_sink(self, sink: SinkSettings) -> Worker:
+        def make_step() -> Callable[[], bool]:
+            return SinkWorker(Journal(self.settings.journal_path), sink, time.time).step
+
+        return Worker(f"sink {sink.name}", make_step, stop=self.stopped, idle_s=1.0)
 
     def _make_answers(self) -> Worker:
         """Answers belong to the line: its program, its folder, its thread."""

@@ -1,6 +1,14 @@
 """Files for other programs: stylesheets, rendering, atomic delivery."""
 
-from paintlink.export.delivery import Outcome, discard, outcome, publish, stage
+from paintlink.export.delivery import (
+    Outcome,
+    discard,
+    outcome,
+    publish,
+    publish_many,
+    stage,
+    stage_many,
+)
 from paintlink.export.folders import GUARD, require_share
 from paintlink.export.formats import Format, Formats, load_format, load_formats
 from paintlink.export.names import safe_name
@@ -21,8 +29,10 @@ __all__ = [
     "outcome",
     "probe",
     "publish",
+    "publish_many",
     "render",
     "require_share",
     "safe_name",
     "stage",
+    "stage_many",
 ]

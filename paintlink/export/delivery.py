@@ -12,7 +12,8 @@ creates a staging folder that is missing, and would hide that tokens were lost w
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Literal
@@ -43,14 +44,46 @@ def stage(folder: Path, token: str, data: bytes, *, mode: int | None = None) -> 
     ExportError
         Nothing was published; the delivery stays pending and can be staged again.
     """
-    _require_entry_name(token)
+    stage_many(folder, {token: data}, mode=mode)
+
+
+def stage_many(
+    folder: Path,
+    files: Mapping[str, bytes],
+    *,
+    mode: int | None = None,
+    threads: int = 1,
+) -> None:
+    """Return when all files, by token, lie durably in the staging folder.
+
+    Parameters
+    ----------
+    threads
+        How many files to sync at once: a disk does that together, at the price of one.
+
+    Raises
+    ------
+    ExportError
+        Nothing was published; the deliveries stay pending and can be staged again.
+    """
+    for token in files:
+        _require_entry_name(token)
     with explained(folder), opened(folder) as folder_fd:
         with suppress(FileExistsError):
             os.mkdir(STAGING, 0o700, dir_fd=folder_fd)
         os.fsync(folder_fd)
         with _staging(folder, folder_fd) as staging_fd:
-            _remove(token, staging_fd)
-            _write_new(token, staging_fd, data, mode)
+
+            def write(token: str) -> None:
+                _remove(token, staging_fd)
+                _write_new(token, staging_fd, files[token], mode)
+
+            if threads > 1 and len(files) > 1:
+                with ThreadPoolExecutor(threads) as pool:
+                    list(pool.map(write, files))
+            else:
+                for token in files:
+                    write(token)
             os.fsync(staging_fd)
 
 
@@ -81,6 +114,39 @@ def publish(folder: Path, token: str, name: str) -> Path:
         os.fsync(folder_fd)
         os.fsync(staging_fd)
     return folder / name
+
+
+def publish_many(folder: Path, names: Mapping[str, str]) -> dict[str, ExportError]:
+    """What could not be published of staged files, by token; the rest is, durably.
+
+    Parameters
+    ----------
+    names
+        The final name of each token.
+
+    Raises
+    ------
+    ExportError
+        Any of the files may or may not have been published: `outcome` tells.
+    """
+    refused: dict[str, ExportError] = {}
+    for token, name in names.items():
+        _require_entry_name(token)
+        _require_entry_name(name)
+    with (
+        explained(folder),
+        opened(folder) as folder_fd,
+        _staging(folder, folder_fd) as staging_fd,
+    ):
+        for token, name in names.items():
+            try:
+                with explained(folder / name):
+                    rename_noreplace(token, staging_fd, name, folder_fd)
+            except ExportError as error:
+                refused[token] = error
+        os.fsync(folder_fd)
+        os.fsync(staging_fd)
+    return refused
 
 
 def outcome(folder: Path, token: str) -> Outcome:

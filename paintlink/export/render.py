@@ -40,8 +40,15 @@ class ExportFile:
     sha256: str
 
 
-def render(spec: ColorSpec, format: Format, *, job: JobFacts) -> ExportFile:
+def render(
+    spec: ColorSpec, format: Format, *, job: JobFacts, document: bytes = b""
+) -> ExportFile:
     """The file of a job in one format.
+
+    Parameters
+    ----------
+    document
+        The specification as `write_spec` wrote it, where that is at hand.
 
     Raises
     ------
@@ -57,7 +64,7 @@ def render(spec: ColorSpec, format: Format, *, job: JobFacts) -> ExportFile:
         raise ExportError(msg, kind="starting-paint")
     data = run_stylesheet(
         format.transform,
-        with_history(write_spec(spec), job.panels),
+        with_history(document or write_spec(spec), job.panels),
         _parameters(spec, job),
         format.source,
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from datetime import UTC, datetime
+from functools import lru_cache
 
 from paintlink.errors import SpecError
 from paintlink.model import (
@@ -19,8 +20,11 @@ from paintlink.spec.markup import Markup
 from paintlink.spec.schema import NAMESPACE, ROOT
 
 
+@lru_cache(maxsize=64)
 def write_spec(spec: ColorSpec) -> bytes:
     """Canonical XML of a colour specification, UTF-8.
+
+    On its way through the line a specification is written several times.
 
     Raises
     ------

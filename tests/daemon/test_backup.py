@@ -39,7 +39,6 @@ def test_backup_never_replaces_another(shop: Shop, tmp_path: Path) -> None:
 
 def test_restored_journal_sends_nothing_twice(shop: Shop, tmp_path: Path) -> None:
     shop.line.step()
-    shop.line.step()
     back_up(shop.journal, tmp_path / "copy.db")
     shop.drain()
     for path in shop.files("colornet"):

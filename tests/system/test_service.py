@@ -229,14 +229,14 @@ def test_hung_folder_delays_no_other_route(
         told.routes[0], name="archive", folder=tmp_path / "archive", format="json"
     )
     told = replace(told, routes=(*told.routes, archive))
-    released, real = threading.Event(), deliverer.stage
+    released, real = threading.Event(), deliverer.stage_many
 
     def hangs(folder: Path, *rest: object, **options: object) -> None:
         if folder.name == "colornet":
             released.wait(LIMIT_S)
         real(folder, *rest, **options)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(deliverer, "stage", hangs)
+    monkeypatch.setattr(deliverer, "stage_many", hangs)
     start(told)
     (tmp_path / "inbox" / "a.xml").write_bytes(write_spec(make_spec()))
     try:
