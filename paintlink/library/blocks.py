@@ -5,12 +5,14 @@ from __future__ import annotations
 import hashlib
 import json
 import sqlite3
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
 
+from paintlink.errors import LibraryStoreError
 from paintlink.library.rows import Rows
 from paintlink.model import FINISHES, Finish, FloatArray
 
@@ -18,6 +20,8 @@ _LETTER: dict[Finish, str] = {finish: finish[0] for finish in FINISHES}
 _FINISH: dict[str, Finish] = {letter: finish for finish, letter in _LETTER.items()}
 _NUMBER = np.dtype("<f8")
 _ID = np.dtype("<i8")
+COLUMNS = ("ids", "codes", "names", "finishes", "lab", "gloss")
+"""Columns of a stored block in the order of its digest."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,7 +41,8 @@ def store_block(connection: sqlite3.Connection, library_id: int, block: Block) -
     """Id of the stored block; a block that is stored already is not stored again."""
     columns = _encoded(block)
     extras = {name: _json(texts) for name, texts in sorted(block.rows.extras.items())}
-    digest = _digest([*columns.values(), *extras, *extras.values()])
+    digests = {name: digest_of([texts]) for name, texts in extras.items()}
+    digest = _block_digest(columns.values(), digests.items())
     known = connection.execute(
         "SELECT id FROM blocks WHERE library_id = ? AND digest = ?",
         (library_id, digest),
@@ -58,18 +63,25 @@ def store_block(connection: sqlite3.Connection, library_id: int, block: Block) -
     )
     block_id = int(cursor.lastrowid or 0)
     connection.executemany(
-        "INSERT INTO extras (block_id, name, texts) VALUES (?, ?, ?)",
-        [(block_id, name, texts) for name, texts in extras.items()],
+        "INSERT INTO extras (block_id, name, digest, texts) VALUES (?, ?, ?, ?)",
+        [(block_id, name, digests[name], texts) for name, texts in extras.items()],
     )
     return block_id
 
 
 def load_block(connection: sqlite3.Connection, block_id: int, angles: int) -> Block:
-    """A stored block with all its columns."""
+    """A stored block with all its columns.
+
+    Raises
+    ------
+    LibraryStoreError
+        When it is damaged.
+    """
     row = connection.execute("SELECT * FROM blocks WHERE id = ?", (block_id,))
     record = row.fetchone()
+    check_block(connection, record)
     extras = connection.execute(
-        "SELECT name, texts FROM extras WHERE block_id = ?", (block_id,)
+        "SELECT name, digest, texts FROM extras WHERE block_id = ?", (block_id,)
     )
     rows = Rows(
         codes=tuple(json.loads(record["codes"])),
@@ -77,9 +89,61 @@ def load_block(connection: sqlite3.Connection, block_id: int, angles: int) -> Bl
         finishes=finishes_of(record),
         lab=lab_planes(record, angles).transpose(2, 0, 1),
         gloss_gu=gloss_of(record),
-        extras={name: tuple(json.loads(texts)) for name, texts in extras},
+        extras={extra["name"]: tuple(extra_texts(extra)) for extra in extras},
     )
     return Block(ids_of(record), rows)
+
+
+def check_block(connection: sqlite3.Connection, record: sqlite3.Row) -> None:
+    """Refuse a block that is not what was stored.
+
+    Raises
+    ------
+    LibraryStoreError
+        When it is damaged.
+    """
+    extras = connection.execute(
+        "SELECT name, digest FROM extras WHERE block_id = ? ORDER BY name",
+        (record["id"],),
+    )
+    columns = (record[name] for name in COLUMNS)
+    if _block_digest(columns, map(tuple, extras)) != record["digest"]:
+        raise _damaged(f"the paints {record['first_paint']} to {record['last_paint']}")
+
+
+def extra_texts(record: sqlite3.Row) -> list[str]:
+    """One further column of a stored block.
+
+    Raises
+    ------
+    LibraryStoreError
+        When it is damaged.
+    """
+    if digest_of([record["texts"]]) != record["digest"]:
+        raise _damaged(f"the column {record['name']}")
+    texts: list[str] = json.loads(record["texts"])
+    return texts
+
+
+def digest_of(columns: Iterable[str | bytes]) -> str:
+    """SHA-256 over columns, none of which can pass for a part of another."""
+    digest = hashlib.sha256()
+    for column in columns:
+        data = column.encode() if isinstance(column, str) else column
+        digest.update(f"{len(data)}:".encode())
+        digest.update(data)
+    return digest.hexdigest()
+
+
+def _block_digest(
+    columns: Iterable[str | bytes], extras: Iterable[tuple[str, str]]
+) -> str:
+    return digest_of([*columns, *chain.from_iterable(extras)])
+
+
+def _damaged(what: str) -> LibraryStoreError:
+    msg = f"{what} in library.db are not what was stored: restore it from a backup"
+    return LibraryStoreError(msg)
 
 
 def ids_of(record: sqlite3.Row) -> NDArray[np.int64]:
@@ -176,12 +240,3 @@ def _encoded(block: Block) -> dict[str, str | bytes]:
 
 def _json(texts: Sequence[str]) -> str:
     return json.dumps(texts, ensure_ascii=False, separators=(",", ":"))
-
-
-def _digest(columns: list[str | bytes]) -> str:
-    digest = hashlib.sha256()
-    for column in columns:
-        data = column.encode() if isinstance(column, str) else column
-        digest.update(f"{len(data)}:".encode())
-        digest.update(data)
-    return digest.hexdigest()

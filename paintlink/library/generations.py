@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import hashlib
-import secrets
+import os
 import sqlite3
 from dataclasses import dataclass
 
 from paintlink.errors import LibraryError
+from paintlink.library.blocks import digest_of
 from paintlink.library.rows import Conditions
 
 KEY_LENGTH = 12
@@ -98,7 +98,7 @@ def new_library(connection: sqlite3.Connection, conditions: Conditions) -> int:
     cursor = connection.execute(
         "INSERT INTO libraries (token, angles_deg, observer, synthetic) "
         "VALUES (?, ?, ?, ?)",
-        (secrets.token_hex(8), angles, conditions.observer, conditions.synthetic),
+        (os.urandom(8).hex(), angles, conditions.observer, conditions.synthetic),
     )
     return int(cursor.lastrowid or 0)
 
@@ -132,7 +132,6 @@ def add(
 
     Its key is a hash over the key of the one before and all that is new.
     """
-    digest = hashlib.sha256()
     token = connection.execute(
         "SELECT token FROM libraries WHERE id = ?", (library_id,)
     ).fetchone()[0]
@@ -142,13 +141,12 @@ def add(
         (content_id,),
     )
     facts = [token, before.key if before else "", name, str(removed), change, made_at]
-    for fact in [*facts, *(row[0] for row in blocks)]:
-        digest.update(f"{len(fact)}:{fact}".encode())
+    key = digest_of([*facts, *(row[0] for row in blocks)])[:KEY_LENGTH]
     cursor = connection.execute(
         "INSERT INTO generations (key, library_id, number, content_id, back_id, name, "
         "removed, change, made_at) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
         (
-            digest.hexdigest()[:KEY_LENGTH],
+            key,
             library_id,
             before.number + 1 if before else 1,
             content_id,

@@ -12,6 +12,8 @@ import numpy as np
 
 from paintlink.library.blocks import (
     Block,
+    check_block,
+    extra_texts,
     finishes_of,
     gloss_of,
     ids_of,
@@ -39,6 +41,7 @@ def load_table(
     names: list[str] = []
     finishes: list[Finish] = []
     for record in _records(connection, generation):
+        check_block(connection, record)
         run = slice(len(codes), len(codes) + record["paints"])
         planes[..., run] = lab_planes(record, len(angles))
         ids[run], gloss[run] = ids_of(record), gloss_of(record)
@@ -107,14 +110,15 @@ def column_texts(
 ) -> list[str]:
     """One further column of all paints, empty where a paint has none."""
     rows = connection.execute(
-        "SELECT paints, texts FROM members JOIN blocks ON blocks.id = members.block_id "
+        "SELECT paints, extras.* FROM members "
+        "JOIN blocks ON blocks.id = members.block_id "
         "LEFT JOIN extras ON extras.block_id = blocks.id AND extras.name = ? "
         "WHERE content_id = ? ORDER BY first_paint",
         (name, generation.content_id),
     )
     texts: list[str] = []
-    for paints, column in rows:
-        texts += json.loads(column) if column else [""] * paints
+    for row in rows:
+        texts += extra_texts(row) if row["texts"] else [""] * row["paints"]
     return texts
 
 
@@ -129,11 +133,10 @@ def paint_extras(
     ).fetchone()
     place = int(np.searchsorted(ids_of(row), paint_id))
     extras = connection.execute(
-        "SELECT name, json_extract(texts, ?) FROM extras WHERE block_id = ? "
-        "ORDER BY id",
-        (f"$[{place}]", row["id"]),
+        "SELECT * FROM extras WHERE block_id = ? ORDER BY id", (row["id"],)
     )
-    return {name: text for name, text in extras if text}
+    values = {extra["name"]: extra_texts(extra)[place] for extra in extras}
+    return {name: text for name, text in values.items() if text}
 
 
 def _records(

@@ -44,6 +44,7 @@ MIGRATIONS: tuple[tuple[str, ...], ...] = (
             id INTEGER PRIMARY KEY,
             block_id INTEGER NOT NULL REFERENCES blocks (id),
             name TEXT NOT NULL,
+            digest TEXT NOT NULL,
             texts TEXT NOT NULL,
             UNIQUE (block_id, name)
         ) STRICT

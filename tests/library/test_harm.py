@@ -145,6 +145,29 @@ def test_damaged_file_is_refused_with_advice(tmp_path: Path) -> None:
         Shelf(path).own.present()
 
 
+@pytest.mark.parametrize(
+    ("sql", "says"),
+    [
+        ("UPDATE blocks SET lab = zeroblob(length(lab))", "the paints 1 to 10"),
+        ("UPDATE blocks SET codes = replace(codes, 'P', 'Q')", "the paints 1 to 10"),
+        ("UPDATE blocks SET finishes = 's'", "the paints 1 to 10"),
+        ("DELETE FROM extras WHERE name = 'year'", "the paints 1 to 10"),
+        ("UPDATE extras SET texts = replace(texts, '1', '2')", "the column"),
+    ],
+)
+def test_paint_that_is_not_what_was_stored_is_never_shown(
+    shelf: Shelf, sql: str, says: str
+) -> None:
+    with sqlite3.connect(shelf.own.path) as connection:
+        connection.execute(sql)
+    connection.close()
+
+    with pytest.raises(
+        LibraryStoreError, match=f"{says}.* not what was stored: restore it from a"
+    ):
+        shelf.table("Shop").facets["year"]
+
+
 def test_file_of_a_newer_program_is_refused(shelf: Shelf) -> None:
     connection = sqlite3.connect(shelf.own.path)
     connection.execute("PRAGMA user_version=99")
