@@ -41,6 +41,20 @@ GRAPH_MATCHES = 10
     help="Only paints of this finish; may be repeated.",
 )
 @click.option(
+    "-l",
+    "--library",
+    default="virtual",
+    show_default=True,
+    help="Library to search; see `paintlink library libraries`.",
+)
+@click.option(
+    "--where",
+    "conditions",
+    multiple=True,
+    metavar="COLUMN=VALUE",
+    help="Only paints such as brand=Alpha or year=2015..2020; may be repeated.",
+)
+@click.option(
     "--angles",
     help="Aspecular angles to compare at, such as 25,45,75; by default 15,45,110 "
     "where both sides have them.",
@@ -69,6 +83,8 @@ def command(
     top: int,
     metric: str | None,
     finishes: tuple[Finish, ...],
+    library: str,
+    conditions: tuple[str, ...],
     angles: str | None,
     graph: Path | None,
     output: Path | None,
@@ -85,12 +101,15 @@ def command(
     each row and columns like code, L15, a15, b15: then a CSV table of the lists is
     written, or JSON Lines with --json.
     """
-    from paintlink.library import bundled
+    from paintlink.cli.state import settings_of
+    from paintlink.library import Filter, Shelf, parse_choices
 
-    settings = _settings(config)
+    told = settings_of(config)
+    settings = told.snap
     options = options_of(settings, top=top, metric=metric, angles=_angles(angles))
-    table = bundled()
-    mask = _mask(table, finishes)
+    table = Shelf(told.library_path).table(library)
+    chosen = Filter(finishes=finishes, facets=parse_choices(conditions))
+    mask = chosen.apply(table) if finishes or conditions else None
     if target.is_dir() or target.suffix.lower() in {".csv", ".tsv", ".txt"}:
         from paintlink.cli.snap_many import snap_many
 
@@ -269,20 +288,6 @@ def write_graph(
         raise click.UsageError(msg)
     write_new(path, data, replace=True)
     click.echo(f"wrote {path}", err=True)
-
-
-def _mask(table: PaintTable, finishes: tuple[Finish, ...]) -> Any:
-    if not finishes:
-        return None
-    from paintlink.library import Filter
-
-    return Filter(finishes=finishes).apply(table)
-
-
-def _settings(config: Path | None) -> SnapSettings:
-    from paintlink.cli.state import settings_of
-
-    return settings_of(config).snap
 
 
 def _angles(text: str | None) -> tuple[float, ...] | None:

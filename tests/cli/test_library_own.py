@@ -296,3 +296,21 @@ def test_documents_of_other_conditions_are_refused(run: Run, tmp_path: Path) -> 
     ):
         assert says in done.stderr
     assert "5 refused" in done.stderr
+
+
+def test_own_library_is_searched_for_the_nearest_paint(run: Run, table: Path) -> None:
+    run("library", "import", table, "--into", "Shop")
+    run("library", "show", "P00009", "-l", "Shop", "-o", "target.xml")
+
+    found = json.loads(run("snap", "target.xml", "-l", "Shop", "--json").stdout)
+    others = json.loads(
+        run(
+            "snap", "target.xml", "-l", "Shop", "--where", "brand=Brand 2", "--json"
+        ).stdout
+    )
+
+    best = found["matches"][0]
+    assert (best["code"], best["total"], best["library"]) == ("P00009", 0.0, "Shop")
+    codes = [one["code"] for one in others["matches"]]
+    assert codes
+    assert all(int(code[1:]) % 4 == 2 for code in codes)
