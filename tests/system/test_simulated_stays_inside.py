@@ -50,12 +50,11 @@ def on_usbip(simulator: Any, opened: ExitStack) -> str:
     return opened.enter_context(UsbIpPort([device])).url()
 
 
-CASES: list[tuple[Any, Reach]] = [
+CASES: list[tuple[Any, Reach]] = [(xrite_ma, on_rfc2217), (xrite_rci, on_usbip)]
+MORE: list[tuple[Any, Reach]] = [
     (xrite_ma, on_pty),
-    (xrite_ma, on_rfc2217),
     (km_cm512, on_tcp),
     (chn_cr30, on_pty),
-    (xrite_rci, on_usbip),
 ]
 
 
@@ -66,7 +65,9 @@ def opened() -> Iterator[ExitStack]:
 
 
 @pytest.mark.parametrize(
-    ("module", "reach"), CASES, ids=[f"{m.__name__}-{r.__name__}" for m, r in CASES]
+    ("module", "reach"),
+    [*CASES, *(pytest.param(*case, marks=pytest.mark.proof) for case in MORE)],
+    ids=[f"{m.__name__}-{r.__name__}" for m, r in [*CASES, *MORE]],
 )
 def test_reading_stays_out_of_a_route_for_real_ones(
     module: Any, reach: Reach, opened: ExitStack, tmp_path: Path

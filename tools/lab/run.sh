@@ -11,7 +11,7 @@ log=$folder/lab.log
 # multidevs=remap: without it the files of the guest's own mounts are mixed up with the
 # host's, and udev loses its database without a word.
 timeout "${LAB_LIMIT_S:-300}" qemu-system-x86_64 \
-    -M q35 -accel tcg,thread=multi -cpu max -smp 2 -m 768 -no-reboot -nic none \
+    -M q35,accel=tcg -cpu max -smp 1 -m 768 -no-reboot -nic none \
     -display none -vga none -monitor none -serial stdio \
     -kernel "$folder/vmlinuz" -initrd "$folder/initrd.gz" \
     -append "console=ttyS0 quiet panic=-1 mitigations=off tsc=reliable lab=\"$command\"" \
