@@ -7,25 +7,33 @@ ratio to a matrix product and to a copy, measured in the same run, does much les
 from __future__ import annotations
 
 import time
+from collections import deque
 from collections.abc import Callable
+from unittest import mock
 
 import numpy as np
 
 from paintlink.errors import PreviewError
+from paintlink.library import bundled
 from paintlink.model import ColorSpec, Lab, Sample
 from paintlink.preview import (
+    Sheet,
+    Turntable,
     bake,
     basis,
     coat,
     environment,
+    fused,
     gl,
     render,
     to_png,
+    turntable,
     with_caption,
 )
 from paintlink.preview import scene as scenes
 from paintlink.preview.forms import form
 from paintlink.preview.picture import Backend
+from paintlink.preview.thumbnails import thumbnails
 
 SIZE = 512
 ROUGHNESS = 0.002
@@ -105,6 +113,27 @@ def preview_s(backend: Backend, light: str) -> float:
     return best_s(lambda: render([SILVER], light=light, size=SIZE, backend=backend), 30)
 
 
+def many() -> dict[str, float]:
+    """Seconds of 6000 thumbnails, fit and all, and of one frame of a turn."""
+    table = bundled()
+    rows = np.arange(len(table))
+    sheet = Sheet(cache_dir=None)
+    compiled = fused.available()
+    times = {}
+    for name, offered in (("numpy", False), ("numba", compiled)):
+        if name == "numba" and not compiled:
+            continue
+        with mock.patch.object(fused, "available", lambda offered=offered: offered):
+            times[f"6000 thumbnails, {name}"] = best_s(
+                lambda: deque(thumbnails(table, rows, sheet), maxlen=0), 3
+            )
+    turning = Turntable(frames=2)
+    disc = turntable.painted(SILVER, turning)
+    frame = turntable.frame(turning, 0)
+    times["turntable frame"] = best_s(lambda: turntable.draw(frame, disc), 30)
+    return times
+
+
 def output() -> dict[str, float]:
     """Seconds from a picture to a file."""
     picture = render([SILVER], size=SIZE, backend="cpu")
@@ -119,7 +148,7 @@ def main() -> None:
     gflops, gbps = sgemm_gflops(), copy_gbps()
     print(f"sgemm {gflops:.0f} GFLOPS, copy {gbps:.1f} GB/s; {SIZE} pixels square")
     print(f"{'stage':24}{'ms':>10}{'GFLOP of sgemm':>16}{'GB of copy':>12}")
-    for stage, seconds in (preparation() | drawing() | output()).items():
+    for stage, seconds in (preparation() | drawing() | many() | output()).items():
         work, moved = seconds * gflops, seconds * gbps
         print(f"{stage:24}{seconds * 1e3:10.1f}{work:16.2f}{moved:12.3f}")
 

@@ -1,7 +1,7 @@
-"""Draw paints of the bundled library on one sheet: docs/images/library.png.
+"""Draw every object in every light in five paints: docs/images/contact-sheet.jpg.
 
-Usage: ``python tools/contact_sheet.py [FILE]``. The first row holds the paints the
-paper names; below it every leaf has one row from the whole length of its page.
+Run with `python tools/contact_sheet.py [FILE]` after a change of what pictures look
+like, and look at it.
 """
 
 from __future__ import annotations
@@ -10,50 +10,59 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from PIL import Image, ImageDraw
+from PIL import Image, ImageDraw, ImageFont
 
-from paintlink.color import LEAVES
-from paintlink.library import bundled, find, leaves, paint_spec
-from paintlink.model import PaintTable
-from paintlink.preview import render
+from paintlink.model import ColorSpec, Gloss, Lab, Sample
+from paintlink.preview import light_names, object_names, render
 
-TARGET = Path(__file__).resolve().parents[1] / "docs" / "images" / "library.png"
-NAMED = ("YM144", "GM027", "GM044", "BM304", "RM209", "RM331")
-COLUMNS, SIZE, GAP, TEXT = 9, 96, 4, 14
-EFFECTS = range(7, len(LEAVES))
-PAPER, INK = (255, 255, 255), (40, 40, 40)
-
-
-def main() -> None:
-    """Draw the sheet."""
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else TARGET
-    table = bundled()
-    rows = [[find(table, code) for code in NAMED], *(page(table, i) for i in EFFECTS)]
-    rows += [page(table, leaf) for leaf in (0, 3)]
-    width = GAP + COLUMNS * (SIZE + GAP)
-    sheet = Image.new("RGB", (width, len(rows) * (SIZE + TEXT + GAP) + GAP), PAPER)
-    draw = ImageDraw.Draw(sheet)
-    for line, paints in enumerate(rows):
-        top = GAP + line * (SIZE + TEXT + GAP)
-        for place, row in enumerate(paints):
-            left = GAP + place * (SIZE + GAP)
-            sheet.paste(thumbnail(table, row), (left, top))
-            draw.text((left, top + SIZE + 1), table.codes[row], INK)
-    target.parent.mkdir(parents=True, exist_ok=True)
-    sheet.quantize(256, Image.Quantize.MEDIANCUT).save(target, optimize=True)
+TILE = 150
+HEAD = 22
+COLUMNS = 3
+PAINTS = {
+    "red": ((43, 56, 35), (43, 56, 35), (43, 56, 35)),
+    "silver": ((128, -1, -3), (62, -1, -4), (34, -1, -5)),
+    "blue": ((62, 6, -52), (24, 12, -38), (8, 10, -22)),
+    "colour shift": ((95, -30, 48), (60, 10, 20), (30, 42, -38)),
+    "black": ((4, 0, -1), (4, 0, -1), (4, 0, -1)),
+}
 
 
-def page(table: PaintTable, leaf: int) -> list[int]:
-    """Rows from the whole length of a leaf."""
-    members = np.flatnonzero(leaves(table) == leaf)
-    return members[np.linspace(0, len(members) - 1, COLUMNS).astype(int)].tolist()
+def paint(name: str) -> ColorSpec:
+    """One of the five paints."""
+    samples = zip((15.0, 45.0, 110.0), PAINTS[name], strict=True)
+    return ColorSpec(
+        name,
+        tuple(Sample(angle, Lab(*lab)) for angle, lab in samples),
+        gloss=Gloss(92.0, 20.0),
+    )
 
 
-def thumbnail(table: PaintTable, row: int) -> Image.Image:
-    """One paint on a sphere."""
-    picture = render([paint_spec(table, row)], object="sphere", size=2 * SIZE)
-    return Image.fromarray(picture.rgb).resize((SIZE, SIZE), Image.Resampling.LANCZOS)
+def block(shape: str, light: str) -> Image.Image:
+    """One object in one light, in every paint."""
+    tiles = [
+        render([paint(name)], object=shape, light=light, size=TILE, backend="cpu").rgb
+        for name in PAINTS
+    ]
+    picture = Image.new("RGB", (TILE * len(tiles), TILE + HEAD), (246, 246, 245))
+    picture.paste(Image.fromarray(np.hstack(tiles)), (0, HEAD))
+    words = f"{shape}, {light}"
+    font = ImageFont.load_default(13)
+    ImageDraw.Draw(picture).text((6, HEAD / 2), words, (38, 38, 40), font, anchor="lm")
+    return picture
+
+
+def main(target: Path) -> None:
+    """Write the sheet."""
+    blocks = [block(s, light) for light in light_names() for s in object_names()]
+    width, height = blocks[0].size
+    rows = -(-len(blocks) // COLUMNS)
+    sheet = Image.new("RGB", (width * COLUMNS, height * rows), (246, 246, 245))
+    for number, picture in enumerate(blocks):
+        row, column = divmod(number, COLUMNS)
+        sheet.paste(picture, (column * width, row * height))
+    sheet.save(target, quality=88)
 
 
 if __name__ == "__main__":
-    main()
+    here = Path(__file__).parents[1] / "docs/images/contact-sheet.jpg"
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else here)

@@ -30,6 +30,7 @@ COMMANDS = {
     "library": "library",
     "measure": "measure",
     "preview": "preview",
+    "previews": "previews",
     "replay": "replay",
     "restore": "restore",
     "run": "run",

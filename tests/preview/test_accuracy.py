@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import csv
+from collections.abc import Sequence
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from paintlink.color import drawing_curve
+from paintlink.library import bundled, paint_spec
 from paintlink.model import ColorSpec, FloatArray
-from paintlink.preview import bake, basis, disc, environment, light_names, store
+from paintlink.preview import bake, basis, disc, environment, store
 from tests.preview import truth
 
+REAL = Path(__file__).parents[3] / "shared/data/real_paints_5angle.csv"
 NORMALS = truth.visible_normals(240, seed=1)
 THREE_ANGLES = [truth.RED, truth.SILVER, truth.PEARL, *truth.effect_paints(20, seed=5)]
 FIVE_ANGLES = [
@@ -26,10 +31,19 @@ def arriving(light: str) -> FloatArray:
     return truth.arriving(environment.load(light).radiance, NORMALS)
 
 
+@cache
+def arriving_beyond(light: str) -> FloatArray:
+    return truth.arriving_beyond(environment.load(light).radiance, NORMALS)
+
+
 def true_colours(light: str, spec: ColorSpec) -> FloatArray:
     lab = drawing_curve(spec.angles_deg, spec.lab())(truth.BIN_DEG)
     lab[:, 0] = np.maximum(lab[:, 0], 0)
-    return truth.seen(arriving(light), truth.rgb_from_lab(lab))
+    seen = truth.seen(arriving(light), truth.rgb_from_lab(lab))
+    if spec.angles_deg[0] == -15:
+        far, near = truth.rgb_from_lab(np.maximum(spec.lab()[:2], [0, -999, -999]))
+        seen = seen + arriving_beyond(light) * (far - near) / np.pi
+    return seen
 
 
 def drawn_colours(light: str, spec: ColorSpec) -> FloatArray:
@@ -41,20 +55,62 @@ def drawn_colours(light: str, spec: ColorSpec) -> FloatArray:
     return np.einsum("nck,kc->nc", spread, basis.coefficients([spec])[0])
 
 
-@pytest.mark.parametrize("light", light_names())
+@pytest.mark.parametrize("light", ["studio", "sky", "booth"])
 @pytest.mark.parametrize(
     "paints", [THREE_ANGLES, FIVE_ANGLES], ids=["three angles", "five angles"]
 )
 def test_pictures_are_within_the_colour_goals(
     light: str, paints: list[ColorSpec]
 ) -> None:
-    errors = np.array([
+    assert_goals(light, errors_of(light, paints))
+
+
+def errors_of(light: str, paints: Sequence[ColorSpec]) -> FloatArray:
+    return np.array([
         truth.difference(true_colours(light, spec), drawn_colours(light, spec))
         for spec in paints
     ])
 
+
+def assert_goals(light: str, errors: FloatArray) -> None:
     assert errors.mean() <= 0.02
-    assert errors.max() <= WORST[light]
+    assert errors.max() <= WORST.get(light, WORST["sky"])
+
+
+def library_effects(count: int | None = None) -> list[ColorSpec]:
+    table = bundled()
+    rows = [row for row, kind in enumerate(table.finishes) if kind != "solid"]
+    step = 1 if count is None else len(rows) // count
+    return [paint_spec(table, row) for row in rows[::step]]
+
+
+@pytest.mark.parametrize("light", ["studio", "sky"])
+def test_effect_colours_of_the_library_are_within_the_goals(light: str) -> None:
+    assert_goals(light, errors_of(light, library_effects(60)))
+
+
+@pytest.mark.proof
+@pytest.mark.timeout(900)
+@pytest.mark.parametrize("light", ["studio", "sky"])
+def test_every_effect_colour_of_the_library_is_within_the_goals(light: str) -> None:
+    errors = errors_of(light, library_effects())
+
+    assert_goals(light, errors)
+
+
+@pytest.mark.parametrize("light", ["studio", "sky"])
+@pytest.mark.skipif(not REAL.exists(), reason="needs ../shared/data")
+def test_real_paints_are_within_the_goals(light: str) -> None:
+    with REAL.open(newline="") as file:
+        paints = [_real_paint(row) for row in csv.DictReader(file)]
+
+    assert_goals(light, errors_of(light, paints))
+
+
+def _real_paint(row: dict[str, str]) -> ColorSpec:
+    angles = (15, 25, 45, 75, 110)
+    labs = [[float(row[f"{channel}{angle}"]) for channel in "Lab"] for angle in angles]
+    return truth.paint(*labs, angles=angles)
 
 
 def test_fitting_many_equals_fitting_each() -> None:

@@ -156,6 +156,31 @@ def seen(light_by_angle: FloatArray, factors: FloatArray) -> FloatArray:
     return np.einsum("nbc,bc->nc", light_by_angle, factors) / np.pi
 
 
+def arriving_beyond(light: Light, normals: FloatArray) -> FloatArray:
+    """Light that the reading at -15 speaks for, (normals, 3), exposed.
+
+    It comes from beyond the mirror direction as seen from the normal, where its share
+    goes from 0 across over 1/2 aside to 1, and between 0 and 45 degrees, 1 at 15.
+    """
+    directions, solid_angle = grid()
+    flux = light(directions) * (solid_angle / normalisation(light))[:, None]
+    return np.stack([_beyond(normal, directions, flux) for normal in normals])
+
+
+def _beyond(normal: FloatArray, directions: FloatArray, flux: FloatArray) -> FloatArray:
+    mirror = 2 * normal[2] * normal - [0, 0, 1]
+    cosine = np.clip(directions @ mirror, -1, 1)
+    theta = np.degrees(np.arccos(cosine))
+    aside = directions - cosine[:, None] * mirror
+    inward = normal - normal @ mirror * mirror
+    length = np.linalg.norm(aside, axis=1) * np.linalg.norm(inward)
+    turn = aside @ inward / np.maximum(length, 1e-9)
+    rise, fall = np.clip(theta / 15, 0, 1), np.clip((45 - theta) / 30, 0, 1)
+    known = rise**2 * (3 - 2 * rise) * fall**2 * (3 - 2 * fall)
+    share = known * (1 - turn) / 2 * np.maximum(directions @ normal, 0)
+    return share @ flux
+
+
 def visible_normals(count: int, seed: int) -> FloatArray:
     normals = np.random.default_rng(seed).normal(size=(count, 3))
     normals[:, 2] = np.abs(normals[:, 2])
