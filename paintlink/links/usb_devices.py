@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import usb.backend.libusb1
@@ -13,6 +13,11 @@ from paintlink.errors import LinkError
 from paintlink.links.advice import FAILURES
 from paintlink.links.usb_advice import node_of, problem_of
 
+MAKERS = {
+    0x0765: "X-Rite",
+    0x0971: "GretagMacbeth",
+    0x085C: "Datacolor",
+}
 NO_LIBUSB = (
     "USB instruments need libusb, which is not installed: run "
     "`sudo apt install libusb-1.0-0`"
@@ -97,13 +102,28 @@ def usb_devices(
 ) -> tuple[UsbInfo, ...]:
     """Return the devices on USB whose vendor and product are among ``ids``.
 
+    Others of makers of colour instruments are shown as well, and what to do with them.
+
     Raises
     ------
     LinkError
         When libusb is not installed.
     """
-    found = usb.core.find(find_all=True, backend=backend or libusb())
-    return tuple(_describe(device) for device in found if _usb_id(device) in ids)
+    found = list(usb.core.find(find_all=True, backend=backend or libusb()))
+    known = [_describe(device) for device in found if _usb_id(device) in ids]
+    others = [
+        replace(_describe(device), address="", problem=_no_driver(device))
+        for device in found
+        if device.idVendor in MAKERS and _usb_id(device) not in ids
+    ]
+    return (*known, *others)
+
+
+def _no_driver(device: Any) -> str:
+    return (
+        f"no driver for {_usb_id(device)} of {MAKERS[device.idVendor]}: let its own "
+        "program write files and read them with `paintlink import`"
+    )
 
 
 def _describe(device: Any) -> UsbInfo:

@@ -236,7 +236,13 @@ def test_devices_are_listed_with_their_address(backend):
     assert (found.address, found.description, found.problem) == (
         *("usb://0765:d020/SIM00001", "DTP20", ""),
     )
-    assert usb_devices({"132b:0001"}, backend) == ()
+
+
+def test_device_of_a_known_maker_without_a_driver_is_told_of(backend):
+    (found,) = usb_devices({"132b:0001"}, backend)
+
+    assert found.address == ""
+    assert found.problem.startswith("no driver for 0765:d020 of X-Rite: let its own")
 
 
 class Broken:
