@@ -79,6 +79,7 @@ def test_packet_that_crosses_its_recall_is_kept(peer, stream):
     peer.late_packet = b"just in time"
 
     assert stream.read(0.05) == b"just in time"
+    assert stream.read(0.05) == b""
     stream.write(b"SV\r")
     assert stream.read(2.0) == b"X-Rite DTP20\r<00>"
 
