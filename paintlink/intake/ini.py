@@ -11,6 +11,8 @@ from paintlink.errors import InputError
 from paintlink.intake.source import Source
 from paintlink.intake.text import parse_number
 
+LONGEST_LIST = 40_000
+
 _SECTION = re.compile(r"\[\s*([^\]]{1,80}?)\s*\]")
 _ENTRY = re.compile(r"\s*([A-Za-z][A-Za-z0-9_ ]{0,60}?)\s*[=,:]\s*(.*?)\s*")
 
@@ -67,6 +69,9 @@ def number_list(source: Source, entry: Entry) -> list[float]:
     InputError
         When one is none, with its place in the list.
     """
+    if len(entry.text) > LONGEST_LIST:
+        msg = "far more values than a spectrum has: export again"
+        raise source.fault(f"line {entry.line}", msg)
     cells = re.split(r"\s*[,;\t]\s*|\s+", entry.text.strip().rstrip(",;"))
     values = []
     for number, cell in enumerate(cells, start=1):

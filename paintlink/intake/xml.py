@@ -14,6 +14,8 @@ from paintlink.spec import safe_root_of_text
 MAX_MARKS = 1_500_000
 """Angle brackets and equals signs: what elements and attributes cannot do without."""
 
+MAX_ATTRIBUTES = 200
+
 _DECLARED = re.compile(rb"""<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z0-9_.-]{1,40})""")
 _LATIN = {"ISO-8859-1", "LATIN1", "LATIN-1", "WINDOWS-1252", "CP1252", "US-ASCII"}
 
@@ -30,6 +32,9 @@ def root_of(source: Source) -> etree._Element:
     text = _text(source)
     if text.count("<") + text.count("=") > MAX_MARKS:
         raise source.fault("", "more elements than files of readings have: split it")
+    # The parser compares the attributes of one element with each other.
+    if any(piece.count("=") > MAX_ATTRIBUTES for piece in text.split("<")):
+        raise source.fault("", "an element with hundreds of attributes: export again")
     try:
         return safe_root_of_text(text)
     except SpecError as error:

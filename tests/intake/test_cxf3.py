@@ -317,3 +317,14 @@ def test_deep_nesting_is_refused() -> None:
     data = edited("<ColorValues>", "<ColorValues>" + "<x>" * 100_000)
 
     assert "not well-formed XML" in refusal(data)
+
+
+def test_element_crowded_with_attributes_is_refused_unparsed() -> None:
+    crowd = " ".join(f'a{number}=">"' for number in range(300_000))
+    data = edited("<ColorValues>", f"<ColorValues><x {crowd}/>")
+    start = time.process_time()
+
+    told = refusal(data)
+
+    assert "an element with hundreds of attributes: export again" in told
+    assert time.process_time() - start < 5.0

@@ -202,20 +202,18 @@ def test_constants_that_are_no_json_are_refused() -> None:
     assert "NaN stands where a number is expected" in refusal(content)
 
 
-@pytest.mark.parametrize(
-    "bomb",
-    [
-        b'{"measurementSet":' + b"[" * 100_000,
-        b'{"measurementSet":' + b"[" * 3_000_000,
-        b'{"measurementSet":[' + b"[]," * 4_000_000 + b"0]}",
-        b'{"measurementSet":' + b"9" * 5_000_000 + b"}",
-    ],
-    ids=["deep", "deeper", "crowded", "long number"],
-)
-def test_document_that_would_cost_too_much_is_refused_at_once(bomb: bytes) -> None:
+BOMBS = {
+    "nested too deeply": b'{"measurementSet":' + b"[" * 100_000,
+    "more values than a job has": b'{"measurementSet":[' + b"[]," * 4_000_000 + b"0]}",
+    "Exceeds the limit": b'{"measurementSet":' + b"9" * 5_000_000 + b"}",
+}
+
+
+@pytest.mark.parametrize("told", BOMBS)
+def test_document_that_would_cost_too_much_is_refused_at_once(told: str) -> None:
     start = time.process_time()
 
-    refusal(bomb)
+    assert told in refusal(BOMBS[told])
 
     assert time.process_time() - start < 5.0
 

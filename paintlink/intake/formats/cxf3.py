@@ -42,6 +42,7 @@ from paintlink.model import FINISHES, Finish, Geometry, Measurement, Origin, Rea
 INFO = ImporterInfo("cxf3", "Color Exchange Format 3 (CxF, ISO 17972-1)")
 
 OWN_TAGS = "paintlink"
+LONGEST_SPECTRUM = 40_000
 
 
 def sniff(source: Source) -> Certainty:
@@ -148,7 +149,11 @@ class _File:
 
     def _spectra(self, node: etree._Element) -> Iterator[_Value]:
         for one in node.iterfind(path("ColorValues/ReflectanceSpectrum")):
-            texts = (one.text or "").split()
+            text = one.text or ""
+            if len(text) > LONGEST_SPECTRUM:
+                msg = "far more values than a spectrum has: export again"
+                raise self._source.fault(line_of(one), msg)
+            texts = text.split()
             yield _Value(one, self.specs.of(one), self._numbers(one, texts))
 
     def _labs(self, node: etree._Element) -> Iterator[_Value]:

@@ -31,6 +31,7 @@ from paintlink.model import Geometry, Instrument, Measurement, Reading
 INFO = ImporterInfo("xrite_mif", "X-Rite MIF")
 
 BANDS_NM = tuple(float(band) for band in range(400, 701, 10))
+MAX_ROWS = 100
 # No 45 degree reading reaches 120 %, and hardly a paint stays below 2 % everywhere.
 HIGHEST_FRACTION, LOWEST_PERCENT = 1.2, 2.0
 
@@ -128,7 +129,7 @@ def _factors(source: Source, section: Section) -> list[float]:
     lists = [
         e for e in section.entries.values() if len(re.split(r"[,;\s]+", e.text)) > 9
     ]
-    rows: list[Entry] = [*lists[:1], *([] if lists else section.bare)]
+    rows: list[Entry] = [*lists[:1], *([] if lists else section.bare[:MAX_ROWS])]
     return [value for row in rows for value in number_list(source, row)]
 
 
