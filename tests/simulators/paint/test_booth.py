@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -16,6 +18,7 @@ from paintlink_simulators.paint import (
     noisy,
     reflect,
 )
+from paintlink_simulators.paint.variation import PAINTER
 from tests.simulators.paint.conftest import ANGLES_DEG
 
 SILVER = {"A02": 55.0, "A06": 12.0, "W12": 4.0, "N20": 0.8}
@@ -59,6 +62,18 @@ def test_body_shop_sprays_less_evenly_than_a_careful_painter() -> None:
 
     assert 0.3 < careful < 2.0
     assert 1.6 < shop / careful < 2.4
+
+
+def test_spraying_shows_most_near_the_mirror_direction() -> None:
+    """Save near 25 degrees, where the lobes of this silver cross."""
+    booth = SprayBooth(replace(EXACT_SITE, application=PAINTER), seed=10)
+    exact = lab(SprayBooth(EXACT_SITE, seed=0).spray(SILVER))
+
+    away = ciede2000(exact, np.array([lab(booth.spray(SILVER)) for _ in range(120)]))
+
+    medians = np.median(away, axis=0)
+    assert np.all(np.diff(medians[[1, 3, 4, 5]]) < 0.0)
+    assert 0.2 < medians[1] < 1.0
 
 
 def test_spraying_does_not_move_solids() -> None:
