@@ -19,7 +19,9 @@ if TYPE_CHECKING:
     from paintlink.config import SnapSettings
     from paintlink.model import ColorSpec, Finish, Match, PaintTable
     from paintlink.snap import Answer, Forecast, Options
+    from paintlink.snap.grown import Mask
 
+BUNDLED = "virtual"
 BAND_COLORS = {"green": "green", "amber": "yellow", "red": "red"}
 GRAPH_MATCHES = 10
 
@@ -43,9 +45,11 @@ GRAPH_MATCHES = 10
 @click.option(
     "-l",
     "--library",
-    default="virtual",
+    "libraries",
+    multiple=True,
+    default=(BUNDLED,),
     show_default=True,
-    help="Library to search; see `paintlink library libraries`.",
+    help="Library to search, see `paintlink library libraries`; may be repeated.",
 )
 @click.option(
     "--where",
@@ -83,7 +87,7 @@ def command(
     top: int,
     metric: str | None,
     finishes: tuple[Finish, ...],
-    library: str,
+    libraries: tuple[str, ...],
     conditions: tuple[str, ...],
     angles: str | None,
     graph: Path | None,
@@ -102,36 +106,61 @@ def command(
     written, or JSON Lines with --json.
     """
     from paintlink.cli.state import settings_of
-    from paintlink.library import Filter, Shelf, parse_choices
 
     told = settings_of(config)
     settings = told.snap
     options = options_of(settings, top=top, metric=metric, angles=_angles(angles))
-    table = Shelf(told.library_path).table(library)
-    chosen = Filter(finishes=finishes, facets=parse_choices(conditions))
-    mask = chosen.apply(table) if finishes or conditions else None
+    tables = _tables(libraries, told.library_path)
+    masks = _masks(tables, finishes, conditions)
     if target.is_dir() or target.suffix.lower() in {".csv", ".tsv", ".txt"}:
         from paintlink.cli.snap_many import snap_many
 
         if graph is not None:
             msg = "--graph draws one target: name one specification"
             raise click.UsageError(msg)
-        snap_many(target, table, options, mask, output=output, as_json=as_json)
+        if len(tables) > 1:
+            msg = "many targets are compared with one library: name one with --library"
+            raise click.UsageError(msg)
+        snap_many(target, tables[0], options, masks[0], output=output, as_json=as_json)
         return
     if output is not None:
         msg = "--output is for a folder or a table of targets: leave it out"
         raise click.UsageError(msg)
-    from paintlink.snap import answer
+    from paintlink.snap import answer_of_all
     from paintlink.spec import read_spec_file
 
     spec = read_spec_file(target)
-    found = answer(spec, table, options, mask)
+    found = answer_of_all(spec, tables, options, masks)
     if as_json:
         print_json(answer_document(found))
     else:
         print_answer(spec, found, settings)
     if graph is not None:
-        write_graph(graph, spec, found.matches, table)
+        first = next(t for t in tables if t.library == found.matches[0].library)
+        write_graph(graph, spec, found.matches, first)
+
+
+def _tables(libraries: tuple[str, ...], path: Path) -> list[PaintTable]:
+    """The libraries of these names; the shelf is opened only for the shop's own."""
+    if set(libraries) <= {BUNDLED}:
+        from paintlink.library import bundled
+
+        return [bundled()]
+    from paintlink.library import Shelf
+
+    shelf = Shelf(path)
+    return [shelf.table(name) for name in dict.fromkeys(libraries)]
+
+
+def _masks(
+    tables: list[PaintTable], finishes: tuple[Finish, ...], conditions: tuple[str, ...]
+) -> list[Mask | None]:
+    if not (finishes or conditions):
+        return [None] * len(tables)
+    from paintlink.library import Filter, parse_choices
+
+    chosen = Filter(finishes=finishes, facets=parse_choices(conditions))
+    return [chosen.apply(table) for table in tables]
 
 
 def options_of(
@@ -209,12 +238,15 @@ def print_matches(
     best = matches[0]
     angles = [f"{angle:g}" for angle in best.angles_deg]
     ranks = second[1] if second else (None,) * len(matches)
+    books = {f"{m.library}, generation {m.generation}": None for m in matches}
+    several = len(books) > 1
     rows = [
         (
             str(match.rank),
             click.style(match.code, fg=_color(match), bold=True),
             match.name,
             match.finish,
+            *([match.library] if several else []),
             f"{match.total:.2f}",
             *(f"{one.dE:.2f}" for one in match.differences),
             *(["-" if rank is None else str(rank)] if second else []),
@@ -224,14 +256,16 @@ def print_matches(
     ]
     headings = [f"at {angle}" for angle in angles]
     beside = [f"by {second[0]}"] if second else []
+    book = ["library"] if several else []
+    about = ("rank", "code", "name", "finish", *book, "total")
     print_table(
-        ("rank", "code", "name", "finish", "total", *headings, *beside, "in words"),
+        (*about, *headings, *beside, "in words"),
         rows,
         title=f"Starting points for {target.name!r}",
     )
     click.echo(
         f"{best.formula}, sum over {'/'.join(angles)} degrees, D65/{best.observer}, "
-        f"{best.library}, generation {best.generation}"
+        f"{'; '.join(books)}"
     )
     if best.estimated_deg:
         estimated = "/".join(f"{angle:g}" for angle in best.estimated_deg)

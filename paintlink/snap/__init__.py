@@ -1,6 +1,6 @@
 """Exact nearest-paint search and what its answer says."""
 
-from paintlink.snap.answer import Answer, Options, answer
+from paintlink.snap.answer import Answer, Options, answer, answer_of_all
 from paintlink.snap.cache import INDEXES
 from paintlink.snap.conditions import STANDARD_ANGLES_DEG
 from paintlink.snap.confidence import Confidence, confidence
@@ -22,6 +22,7 @@ __all__ = [
     "Limits",
     "Options",
     "answer",
+    "answer_of_all",
     "band",
     "confidence",
     "diagnose",

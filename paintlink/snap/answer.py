@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from paintlink.snap.confidence import REPEATABILITY, Confidence, confidence
 from paintlink.snap.diagnosis import Finding, Limits, diagnose
 from paintlink.snap.grown import Mask
 from paintlink.snap.makeable import ANGLES_DEG, Forecast, forecast
-from paintlink.snap.search import nearest
+from paintlink.snap.search import nearest, nearest_of_all
 
 FEWEST_LOOKED_AT = 50
 """Paints behind the answer, however short the list: for relations and confidence."""
@@ -48,7 +48,7 @@ class Answer:
         The nearest paint that is lighter, darker, more chromatic or of the same hue
         compared with the target, where there is one among the paints looked at.
     variants
-        Ranks of matches that are variants of one paint.
+        Ranks of matches that are variants of one paint, in the first match's library.
     findings
         What was looked at, see `Finding.told`.
     forecast
@@ -79,26 +79,65 @@ def answer(
     LibraryError
         As `nearest`.
     """
+    return answer_of_all(spec, [table], options, [mask])
+
+
+def answer_of_all(
+    spec: ColorSpec,
+    tables: Sequence[PaintTable],
+    options: Options | None = None,
+    masks: Sequence[Mask | None] = (),
+) -> Answer:
+    """The nearest paints of several libraries in one list, and what they are worth.
+
+    Findings compare with the library of the first match.
+
+    Raises
+    ------
+    LibraryError
+        As `nearest_of_all`.
+    """
     options = options or Options()
-    seen = nearest(
-        spec,
-        table,
-        top=max(options.top, FEWEST_LOOKED_AT),
-        formula=options.formula,
-        angles_deg=options.angles_deg,
-        mask=mask,
-    )
+    masks = masks or [None] * len(tables)
+    wide = max(options.top, FEWEST_LOOKED_AT) if options.top > 0 else options.top
+    seen = _list(spec, tables, masks, replace(options, top=wide))
     matches = seen[: options.top]
     second = SECOND_FORMULA.get(options.formula, "ciede2000")
+    first = next(t for t in tables if t.library == matches[0].library)
     return Answer(
         matches=matches,
         second_formula=second,
-        second_ranks=_second_ranks(spec, table, matches, second, mask),
+        second_ranks=_second_ranks(spec, tables, masks, matches, second),
         relations=dict(_relations(seen)),
-        variants=_variants(matches, table),
+        variants=_variants(matches, first),
         confidence=confidence(spec, seen, options.repeatability),
-        findings=diagnose(spec, seen, table, options.limits),
-        forecast=_forecast(spec, table),
+        findings=diagnose(spec, seen, first, options.limits),
+        forecast=_forecast(spec, first),
+    )
+
+
+def _list(
+    spec: ColorSpec,
+    tables: Sequence[PaintTable],
+    masks: Sequence[Mask | None],
+    options: Options,
+) -> tuple[Match, ...]:
+    if len(tables) == 1:
+        return nearest(
+            spec,
+            tables[0],
+            top=options.top,
+            formula=options.formula,
+            angles_deg=options.angles_deg,
+            mask=masks[0],
+        )
+    return nearest_of_all(
+        spec,
+        tables,
+        top=options.top,
+        formula=options.formula,
+        angles_deg=options.angles_deg,
+        masks=masks,
     )
 
 
@@ -111,21 +150,20 @@ def _forecast(spec: ColorSpec, table: PaintTable) -> Forecast | None:
 
 def _second_ranks(
     spec: ColorSpec,
-    table: PaintTable,
+    tables: Sequence[PaintTable],
+    masks: Sequence[Mask | None],
     matches: tuple[Match, ...],
     formula: str,
-    mask: Mask | None,
 ) -> tuple[int | None, ...]:
-    listed = nearest(
-        spec,
-        table,
+    best = matches[0]
+    options = Options(
         top=max(4 * len(matches), FEWEST_LOOKED_AT),
         formula=formula,
-        angles_deg=matches[0].angles_deg if not matches[0].estimated_deg else None,
-        mask=mask,
+        angles_deg=None if best.estimated_deg else best.angles_deg,
     )
-    ranks = {match.paint_id: match.rank for match in listed}
-    return tuple(ranks.get(match.paint_id) for match in matches)
+    listed = _list(spec, tables, masks, options)
+    ranks = {(match.library, match.paint_id): match.rank for match in listed}
+    return tuple(ranks.get((match.library, match.paint_id)) for match in matches)
 
 
 def _relations(seen: tuple[Match, ...]) -> Iterator[tuple[str, Match]]:
@@ -154,9 +192,10 @@ def _variants(
     if name is None:
         return ()
     facet = table.facets[name]
-    rows = np.searchsorted(table.ids, [match.paint_id for match in matches])
+    own = [match for match in matches if match.library == table.library]
+    rows = np.searchsorted(table.ids, [match.paint_id for match in own])
     groups: dict[str, list[int]] = {}
-    for match, row in zip(matches, rows.tolist(), strict=True):
+    for match, row in zip(own, rows.tolist(), strict=True):
         group = facet.value(row)
         if group:
             groups.setdefault(group, []).append(match.rank)

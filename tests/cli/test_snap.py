@@ -224,3 +224,32 @@ def test_options_of_the_other_mode_are_refused(
 
     assert done.returncode == 2
     assert "target" in done.stderr
+
+
+def test_several_libraries_give_one_list(run: Run, tmp_path: Path) -> None:
+    table = bundled()
+    rows = ["code,name,L15,a15,b15,L45,a45,b45,L110,a110,b110"]
+    for code, step in (("OWN1", 0.02), ("OWN2", 30.0)):
+        values = ",".join(f"{value:.2f}" for value in (rm209() + step).ravel())
+        rows.append(f"{code},Own paint,{values}")
+    (tmp_path / "own.csv").write_text("\n".join(rows) + "\n")
+    run("library", "import", "own.csv", "--into", "Shop")
+    spec = paint_spec(table, find(table, "RM209"), angles_deg=STANDARD)
+    (tmp_path / "rm209.xml").write_bytes(write_spec(spec))
+
+    told = run("snap", "rm209.xml", "-l", "virtual", "-l", "Shop", "-k", "3")
+    done = run("snap", "rm209.xml", "-l", "virtual", "-l", "Shop", "-k", "3", "--json")
+
+    matches = json.loads(done.stdout)["matches"]
+    assert [m["code"] for m in matches[:2]] == ["RM209", "OWN1"]
+    assert matches[1]["library"] == "Shop"
+    assert [m["second_rank"] for m in matches[:2]] == [1, 2]
+    assert "Shop, generation" in told.stdout
+    assert "Virtual 6000 (synthetic), generation" in told.stdout
+
+
+def test_table_of_targets_wants_one_library(run: Run, tmp_path: Path) -> None:
+    done = run("snap", table_of(tmp_path, 2), "-l", "virtual", "-l", "munsell")
+
+    assert done.returncode == 2
+    assert "are compared with one library" in done.stderr
