@@ -26,6 +26,7 @@ COMMANDS = {
     "graph": "graph",
     "import": "import_",
     "formulation": "formulation",
+    "health": "health",
     "jobs": "jobs",
     "library": "library",
     "measure": "measure",

@@ -20,7 +20,9 @@ from paintlink.cli.state import config_option, open_journal
 
 if TYPE_CHECKING:
     from paintlink.daemon.journal import Journal
+    from paintlink.daemon.orders import Verdict
     from paintlink.daemon.records import Job
+    from paintlink.export import LabelKind
 
 
 @click.group("jobs")
@@ -84,6 +86,95 @@ def resend(job: str, route: str, config: Path | None) -> None:
         found = find_job(journal, job)
         journal.resend(found, route)
     click.echo(f"{found.token}: one more file for {route}")
+
+
+@command.command("verdict")
+@click.argument("job")
+@click.argument("verdict", type=click.Choice(["pass", "marginal", "fail"]))
+@click.option("--note", default="", help="Why, for the history.")
+@config_option
+def verdict(job: str, verdict: Verdict, note: str, config: Path | None) -> None:
+    """Say what a person thinks of a JOB, beside what the machine says."""
+    with open_journal(config) as journal:
+        found = find_job(journal, job)
+        journal.orders.judge(found.id, "human", verdict, note=note)
+        both = journal.orders.verdicts(found.id)
+    words = ", ".join(f"{one.judge}: {one.verdict}" for one in both)
+    click.echo(f"{found.token}: {words}")
+
+
+@command.command("orders")
+@json_option
+@config_option
+def orders(as_json: bool, config: Path | None) -> None:
+    """List what is still to be measured, the oldest first."""
+    with open_journal(config) as journal:
+        waiting = journal.orders.waiting()
+    if as_json:
+        print_json([{"order": one.token, **one.order.document()} for one in waiting])
+    elif waiting:
+        rows = [
+            (
+                one.order.sample,
+                one.template.name,
+                one.order.repair_order,
+                one.order.panel,
+            )
+            for one in waiting
+        ]
+        print_table(("sample", "template", "repair order", "panel"), rows)
+    else:
+        click.echo("Nothing is ordered. Orders are files in the folder jobs/.")
+
+
+@command.command("close")
+@click.argument("job")
+@click.argument("route")
+@config_option
+def close(job: str, route: str, config: Path | None) -> None:
+    """Give up the waiting or unknown deliveries of a JOB to a ROUTE."""
+    from paintlink.errors import ConfigError
+
+    open_states = {"pending", "failed", "unknown"}
+    with open_journal(config) as journal:
+        found = find_job(journal, job)
+        given_up = [
+            one
+            for one in found.deliveries
+            if one.route == route and one.state in open_states
+        ]
+        for one in given_up:
+            journal.deliveries.settle(one, "closed", "by command")
+    if not given_up:
+        msg = f"job {found.token} has nothing waiting or unknown for {route}"
+        raise ConfigError(msg)
+    click.echo(f"{found.token}: closed {len(given_up)} for {route}")
+
+
+@command.command("label")
+@click.argument("job")
+@click.option(
+    "--format",
+    "kind",
+    default="html",
+    show_default=True,
+    type=click.Choice(["html", "zpl"]),
+    help="A page, or the language of label printers.",
+)
+@config_option
+def print_label(job: str, kind: LabelKind, config: Path | None) -> None:
+    """Write the label of a JOB to standard output, with its id as a QR code."""
+    from paintlink.daemon.order_worker import label_facts
+    from paintlink.export import label
+
+    with open_journal(config) as journal:
+        found = find_job(journal, job)
+        order = journal.orders.of_job(found.order_id)
+    text = ""
+    if order is not None:
+        template = order.template
+        text = template.label_html if kind == "html" else template.label_zpl
+    click.echo(label(kind, label_facts(found, order), text), nl=False)
 
 
 @command.command("verify")

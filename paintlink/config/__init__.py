@@ -14,6 +14,7 @@ from paintlink.config._sections import (
     SiteSettings,
     SnapSettings,
     StateSettings,
+    TemplateSettings,
 )
 from paintlink.config.settings import Settings
 
@@ -29,6 +30,7 @@ __all__ = [
     "SiteSettings",
     "SnapSettings",
     "StateSettings",
+    "TemplateSettings",
     "check_against",
     "default_settings",
     "explain",

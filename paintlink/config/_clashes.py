@@ -53,7 +53,10 @@ def _shared_folders(table: Table) -> Iterator[Fault]:
 def _own_folders(table: Table) -> Iterator[Fault]:
     site = Path(str(section(table, "site").get("folder")))
     inbox = Path(str(section(table, "inbox").get("folder")))
-    own = asdict(InboxFolders.below(site, inbox)) | {"answers": site / "answers"}
+    own = asdict(InboxFolders.below(site, inbox)) | {
+        "answers": site / "answers",
+        "jobs": site / "jobs",
+    }
     uses = {folder: name for name, folder in own.items()}
     for index, folder in _texts(table, "route", "folder"):
         if Path(folder) in uses:

@@ -17,6 +17,7 @@ from paintlink.config._sections import (
     SiteSettings,
     SnapSettings,
     StateSettings,
+    TemplateSettings,
 )
 from paintlink.config.settings import Settings
 
@@ -31,6 +32,7 @@ class Document:
     inbox: InboxSettings
     snap: SnapSettings = field(default_factory=SnapSettings)
     route: tuple[RouteSettings, ...] = ()
+    template: tuple[TemplateSettings, ...] = ()
     sink: tuple[SinkSettings, ...] = ()
     formulation: FormulationSettings = field(default_factory=FormulationSettings)
     preview: PreviewSettings = field(default_factory=PreviewSettings)
@@ -45,6 +47,7 @@ class Document:
             inbox=self.inbox,
             snap=self.snap,
             routes=self.route,
+            templates=self.template,
             sinks=self.sink,
             formulation=self.formulation,
             preview=self.preview,

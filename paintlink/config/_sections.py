@@ -413,6 +413,55 @@ class FormulationSettings:
     ] = 3
 
 
+OrderField = Literal["repair_order", "vin", "paint_code", "panel", "operator"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TemplateSettings:
+    """A kind of job that orders name. Repeat the block for each kind."""
+
+    name: Annotated[
+        FilledText, Key("Your name for it, as orders write it.", "refinish")
+    ]
+    readings: Annotated[
+        int, whole(1, 20), Key("Readings of one sample, averaged into one job.")
+    ] = 1
+    required: Annotated[
+        tuple[OrderField, ...],
+        Rule(
+            'a list of "repair_order", "vin", "paint_code", "panel" and "operator"',
+            _is_list,
+        ),
+        Key("Fields an order must have; one without them is refused."),
+    ] = ()
+    routes: Annotated[
+        tuple[str, ...],
+        Rule("a list of names of routes in quotes", _is_list),
+        Key("The [[route]]s these jobs go to; every route that takes them when empty."),
+    ] = ()
+    preview: Annotated[bool, Key("Whether a picture is drawn.")] = True
+    pass_dE: Annotated[  # noqa: N815
+        float,
+        number(0, 100),
+        Key(
+            "At every angle at most this far from the paint that the order names, or "
+            "from the nearest one: the machine says pass."
+        ),
+    ] = 1.0
+    marginal_dE: Annotated[  # noqa: N815
+        float,
+        number(0, 100),
+        Key("Up to this difference the machine says marginal, above it fail."),
+    ] = 2.0
+    label_zpl: Annotated[
+        str,
+        Key("Label for ZPL printers, in the language of Jinja2; built in when empty."),
+    ] = ""
+    label_html: Annotated[
+        str, Key("Label as a page, in the language of Jinja2; built in when empty.")
+    ] = ""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SinkSettings:
     """A program that is told what happens to jobs. Repeat the block for each."""

@@ -17,6 +17,7 @@ from paintlink.config._sections import (
     SiteSettings,
     SnapSettings,
     StateSettings,
+    TemplateSettings,
 )
 
 
@@ -33,6 +34,7 @@ class Settings:
     instruments: tuple[InstrumentSettings, ...] = ()
     snap: SnapSettings = field(default_factory=SnapSettings)
     routes: tuple[RouteSettings, ...] = ()
+    templates: tuple[TemplateSettings, ...] = ()
     sinks: tuple[SinkSettings, ...] = ()
     formulation: FormulationSettings = field(default_factory=FormulationSettings)
     preview: PreviewSettings = field(default_factory=PreviewSettings)
@@ -60,6 +62,11 @@ class Settings:
         named = self.formulation.route
         found = [one.name for one in self.routes if one.format == "colornet"]
         return named or (found[0] if found else "")
+
+    @property
+    def orders_folder(self) -> Path:
+        """Folder where other programs say what is to be measured."""
+        return self.site.folder / "jobs"
 
     @property
     def answers_folder(self) -> Path:

@@ -9,6 +9,7 @@ from typing import Any
 
 from paintlink.daemon.database import Database
 from paintlink.daemon.documents import reading_to_json
+from paintlink.daemon.orders import Orders, StoredOrder
 from paintlink.daemon.records import JobState
 from paintlink.model import ColorSpec, Origin, Reading
 from paintlink.spec import write_spec
@@ -37,6 +38,7 @@ class Arrivals:
 
     def __init__(self, database: Database) -> None:
         self._db = database
+        self._orders = Orders(database)
 
     def reading(self, reading: Reading, source: str) -> str:
         """Token of the job for a reading; a repeat gives the first."""
@@ -91,7 +93,7 @@ class Arrivals:
 
     def _known(self, reading: Reading) -> str:
         row = self._db.one(
-            "SELECT token FROM jobs JOIN readings ON readings.id = jobs.reading_id "
+            "SELECT token FROM jobs JOIN readings ON readings.job_id = jobs.id "
             "WHERE readings.key = ?",
             reading_key(reading),
         )
@@ -112,10 +114,19 @@ class Arrivals:
         )
         xml = write_spec(spec) if spec else None
         state: JobState = "specified" if xml else "received"
-        job_id, token = self._add_job(
-            key, state, source, reading.origin, reading_id=reading_id, spec=xml
+        order = None if xml else self._orders.open_for(reading.sample)
+        job_id, token = self._begun(order) or self._add_job(
+            key,
+            state,
+            source,
+            reading.origin,
+            reading_id=reading_id,
+            spec=xml,
+            order_id=order.id if order else None,
         )
         self._db.update("readings", reading_id, job_id=job_id)
+        if order is not None:
+            self._count(order, job_id)
         self._db.log(
             job_id,
             "reading",
@@ -127,6 +138,23 @@ class Arrivals:
         if spec and xml:
             self._db.log(job_id, "specified", spec.name, spec_sha256=sha256(xml))
         return token
+
+    def _begun(self, order: StoredOrder | None) -> tuple[int, str] | None:
+        """Id and token of the job that collects the readings of an order."""
+        row = order and self._db.one(
+            "SELECT id, token FROM jobs WHERE order_id = ? AND state = 'collecting'",
+            order.id,
+        )
+        return (int(row["id"]), str(row["token"])) if row else None
+
+    def _count(self, order: StoredOrder, job_id: int) -> None:
+        """Let the job go on once the order has all its readings."""
+        row = self._db.one("SELECT count(*) FROM readings WHERE job_id = ?", job_id)
+        done = row is not None and row[0] >= order.template.readings
+        state: JobState = "received" if done else "collecting"
+        self._db.update("jobs", job_id, state=state)
+        if done:
+            self._db.update("orders", order.id, state="measured")
 
     def _add_job(
         self, key: str, state: JobState, source: str, origin: Origin, **columns: Any

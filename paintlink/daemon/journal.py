@@ -23,6 +23,7 @@ from paintlink.daemon.documents import (
 )
 from paintlink.daemon.formulas import Formulas
 from paintlink.daemon.keeping import Keeping
+from paintlink.daemon.orders import Orders
 from paintlink.daemon.outbox import Outbox
 from paintlink.daemon.records import Event, InstrumentStatus, Job, JobState, Preview
 from paintlink.daemon.trail import Trail
@@ -58,6 +59,7 @@ class Journal:
         self.trail = Trail(self._db)
         self.formulas = Formulas(self._db)
         self.outbox = Outbox(self._db)
+        self.orders = Orders(self._db)
         self.keeping = Keeping(self._db)
 
     def __enter__(self) -> Self:
@@ -122,6 +124,13 @@ class Journal:
             msg = f"the journal holds no reading {reading_id}"
             raise JournalError(msg)
         return reading_from_json(row["document"], row["raw"])
+
+    def readings_of(self, job_id: int) -> tuple[Reading, ...]:
+        """The readings of a job, in the order they were taken."""
+        rows = self._db.all(
+            "SELECT document, raw FROM readings WHERE job_id = ? ORDER BY id", job_id
+        )
+        return tuple(reading_from_json(row["document"], row["raw"]) for row in rows)
 
     # The line
 

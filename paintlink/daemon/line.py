@@ -12,14 +12,16 @@ from dataclasses import replace
 from functools import partial
 
 from paintlink.config import Settings
+from paintlink.daemon.averaging import average
 from paintlink.daemon.deliverer import Deliverer
 from paintlink.daemon.formulation import Booth
 from paintlink.daemon.journal import Journal
+from paintlink.daemon.orders import StoredOrder, machine_verdict
 from paintlink.daemon.pipeline import match, open_routes, specify
 from paintlink.daemon.records import Job
 from paintlink.errors import InputError, ReadingError
 from paintlink.export import Format
-from paintlink.model import ColorSpec, PaintTable
+from paintlink.model import ColorSpec, Match, PaintTable
 
 log = logging.getLogger(__name__)
 
@@ -96,7 +98,11 @@ class Line:
         if job.reading_id is None:
             msg = "the journal holds no reading for this job"
             raise ReadingError(msg)
-        return specify(self._journal.reading(job.reading_id))
+        readings = self._journal.readings_of(job.id)
+        if len(readings) < 2:
+            return specify(self._journal.reading(job.reading_id))
+        mean = average([one.measurement for one in readings])
+        return specify(replace(readings[0], measurement=mean))
 
     def _matched(self, job: Job) -> Iterator[Change]:
         root = self._booth.panel_of(job)
@@ -107,14 +113,35 @@ class Line:
             return
         spec, matches = match(job.spec, self._table, self._settings.snap)
         routes = open_routes(self._settings.routes, job.origin)
+        order = self._journal.orders.of_job(job.order_id)
+        if order is not None and order.template.routes:
+            routes = [one for one in routes if one.name in order.template.routes]
         folders = [(route.name, str(route.folder)) for route in routes]
         yield partial(self._journal.set_matched, job, spec, matches, folders)
-        if self._settings.preview.enabled:
+        if order is not None:
+            yield from self._judged(job, order, matches)
+        if self._settings.preview.enabled and (not order or order.template.preview):
             yield partial(self._journal.request_preview, job)
         if not routes:
             why = f"no route accepts {job.origin} readings"
             yield partial(self._journal.finish, job, why)
         log.info("%s nearest %s", job.token, matches[0].code)
+
+    def _judged(
+        self, job: Job, order: StoredOrder, matches: tuple[Match, ...]
+    ) -> Iterator[Change]:
+        """What the machine says of the paint that the order names, or the nearest."""
+        named = [one for one in matches if one.code == order.order.paint_code]
+        against = (named or list(matches))[0]
+        verdict, angles = machine_verdict(against, order.template)
+        yield partial(
+            self._journal.orders.judge,
+            job.id,
+            "machine",
+            verdict,
+            angles=angles,
+            note=f"against {against.code} by {against.formula}",
+        )
 
     def _fail(self, job: Job, error: InputError) -> None:
         log.warning("%s failed: %s", job.token, error)

@@ -15,6 +15,7 @@ from paintlink.daemon.inbox import InboxWorker
 from paintlink.daemon.instruments import InstrumentWorker, NameSample, default_sample
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.line import Line
+from paintlink.daemon.order_worker import OrderWorker
 from paintlink.daemon.render import Render
 from paintlink.daemon.roles import ROLES, Role, RoleLocks
 from paintlink.daemon.scanner import Scanner
@@ -178,6 +179,7 @@ class Service:
         self._workers += self._deliverers
         if self.settings.formulation.enabled:
             self._workers.append(self._make_answers())
+        self._workers.append(self._make_orders())
         self._workers += map(self._make_sink, self.settings.sinks)
         return self._line
 
@@ -241,6 +243,17 @@ class Service:
 
         self._render = Worker("render", make_step, stop=self.stopped, idle_s=1.0)
         return self._render
+
+    def _make_orders(self) -> Worker:
+        folder = self.settings.orders_folder
+        folders = InboxFolders.below(self.settings.site_folder, folder, within="jobs")
+        return self._make_watch(
+            "jobs",
+            folders,
+            lambda journal, inbox: (
+                OrderWorker(journal, inbox, self.settings.templates).step
+            ),
+        )
 
     def _make_intake(self) -> Worker:
         profiles = load_profiles(self.settings.profiles_folder)

@@ -11,6 +11,7 @@ from paintlink.export.delivery import (
 )
 from paintlink.export.folders import GUARD, require_share
 from paintlink.export.formats import Format, Formats, load_format, load_formats
+from paintlink.export.labels import LabelKind, label
 from paintlink.export.names import safe_name
 from paintlink.export.probe import probe
 from paintlink.export.render import ExportFile, JobFacts, file_name, render
@@ -21,9 +22,11 @@ __all__ = [
     "Format",
     "Formats",
     "JobFacts",
+    "LabelKind",
     "Outcome",
     "discard",
     "file_name",
+    "label",
     "load_format",
     "load_formats",
     "outcome",

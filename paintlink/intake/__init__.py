@@ -10,12 +10,14 @@ from paintlink.intake.contract import (
 from paintlink.intake.folders import InboxFolders, require_share
 from paintlink.intake.inbox import Claim, Inbox, Outcome
 from paintlink.intake.mounts import Mount, mount_of
+from paintlink.intake.order_file import Order, read_order
 from paintlink.intake.profile import Profile
 from paintlink.intake.profile_file import load_profile, load_profiles
 from paintlink.intake.reading import Import, Item, read_any
 from paintlink.intake.registry import importer_failures, importers
 from paintlink.intake.safe import BusyFileError
 from paintlink.intake.source import Source, open_source
+from paintlink.intake.vin import vin_problem
 from paintlink.intake.wizard import Proposal, propose
 
 __all__ = [
@@ -31,6 +33,7 @@ __all__ = [
     "Item",
     "Mount",
     "Options",
+    "Order",
     "Outcome",
     "Profile",
     "Proposal",
@@ -43,5 +46,7 @@ __all__ = [
     "open_source",
     "propose",
     "read_any",
+    "read_order",
     "require_share",
+    "vin_problem",
 ]
