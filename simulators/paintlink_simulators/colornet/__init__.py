@@ -9,12 +9,14 @@ from paintlink_simulators.colornet.formulation import (
     adjusted,
     formulate,
 )
+from paintlink_simulators.colornet.known import BundledBook
 from paintlink_simulators.colornet.target import Target
 from paintlink_simulators.colornet.watch import Book, Watch
 
 __all__ = [
     "Attempt",
     "Book",
+    "BundledBook",
     "Formulation",
     "Target",
     "Watch",
