@@ -27,7 +27,7 @@ def command(spec: Path, output: Path, top: int, metric: str) -> None:
     a design which no paint comes near stands out. Pictures need matplotlib: pip install
     'paintlink[plots]'.
     """
-    from paintlink.cli.snap import write_graph
+    from paintlink.cli.answers import write_graph
     from paintlink.library import bundled
     from paintlink.snap import nearest
     from paintlink.spec import read_spec_file

@@ -136,8 +136,8 @@ def _take_over(
 def _show(
     reading: Reading, settings: Settings, finish: Finish, *, as_json: bool
 ) -> None:
+    from paintlink.cli.answers import print_matches
     from paintlink.cli.output import match_document, spec_document
-    from paintlink.cli.snap import print_matches
     from paintlink.daemon.pipeline import match, specify
     from paintlink.library import bundled
 
