@@ -129,7 +129,7 @@ class RciLine:
                 raw = self.link.request(
                     f"{command}\r".encode(), spectrum_size, READ_S, idle_s=IDLE_S
                 )
-            raw += self.link.drain(TAIL_S, LIMIT_S).strip()
+            raw += self.link.drain(TAIL_S, LIMIT_S)
         finally:
             with contextlib.suppress(errors.LinkTimeoutError, errors.ProtocolError):
                 self.exchange("001BCF", ANSWER_S)

@@ -186,7 +186,8 @@ def test_refusal_in_place_of_the_spectrum_is_read_as_one():
 
 
 @pytest.mark.parametrize(
-    "data", [SPECTRUM[:61], SPECTRUM + b"\x01", SPECTRUM * 2, SPECTRUM[:7]]
+    "data",
+    [SPECTRUM[:61], SPECTRUM + b"\x01", SPECTRUM + b"\n", SPECTRUM * 2, SPECTRUM[:7]],
 )
 def test_spectrum_of_another_length_is_refused(data):
     peer = Peer(answers(_01GM=data))
