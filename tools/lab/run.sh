@@ -10,7 +10,7 @@ log=$folder/lab.log
 # Plain emulation: KVM is not to be had on most machines that check.
 # multidevs=remap: without it the files of the guest's own mounts are mixed up with the
 # host's, and udev loses its database without a word.
-timeout "${LAB_LIMIT_S:-300}" qemu-system-x86_64 \
+timeout "${LAB_LIMIT_S:-350}" qemu-system-x86_64 \
     -M q35,accel=tcg -cpu max -smp 1 -m 768 -no-reboot -nic none \
     -display none -vga none -monitor none -serial stdio \
     -kernel "$folder/vmlinuz" -initrd "$folder/initrd.gz" \

@@ -20,6 +20,8 @@ class Operator(Wrapper):
         """What the simulator sends by itself, and on the press when that is due."""
         sent = super().poll()
         if self._press_at is not None and self.clock() >= self._press_at:
+            # A press that is not noticed is repeated, not at once but as late again.
+            self._press_at = None
             sent += self._press_where_wanted()
         return sent
 

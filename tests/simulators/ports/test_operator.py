@@ -2,7 +2,14 @@ from __future__ import annotations
 
 import pytest
 
-from paintlink_simulators import ManualClock, MemoryPort, Operator, xrite_ma
+from paintlink_simulators import (
+    ManualClock,
+    MemoryPort,
+    Operator,
+    Panel,
+    xrite_ma,
+    xrite_rci,
+)
 
 
 @pytest.fixture
@@ -60,3 +67,18 @@ def test_arming_held_up_by_a_reset_is_pressed(port: MemoryPort) -> None:
 
     assert port.read(1.0) == b"RESET\r\nOK\r\n"
     assert port.read(1.0).startswith(b"REFLECTANCE")
+
+
+def test_press_that_is_not_noticed_is_repeated_later(
+    panel: Panel, clock: ManualClock
+) -> None:
+    instrument = xrite_rci.create(panel, clock=clock)
+    operated = Operator(instrument, 0.2)
+    operated.feed(b"CS\r")
+    operated.feed(b"RM\r")
+
+    clock.advance(0.2)
+    operated.poll()
+
+    assert operated.armed
+    assert operated.due_at() == pytest.approx(0.4)
