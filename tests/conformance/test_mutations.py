@@ -13,13 +13,7 @@ import pytest
 from paintlink.conformance import Report, mutate, subject, subjects
 from paintlink_simulators.faults import MUTATIONS
 
-UNSOLVED = {"xrite_rci": "returns 62 bytes of 63 where they arrive in two parts"}
-DRIVERS = [
-    pytest.param(driver, marks=pytest.mark.xfail(strict=False, reason=UNSOLVED[driver]))
-    if driver in UNSOLVED
-    else driver
-    for driver in sorted(subjects())
-]
+DRIVERS = sorted(subjects())
 SHARE = 500
 # 200 000 take a quarter of an hour: PAINTLINK_MUTATIONS=200000 asks for them.
 PROOF = int(os.environ.get("PAINTLINK_MUTATIONS", "20000"))
