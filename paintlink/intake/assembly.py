@@ -145,6 +145,7 @@ def _spectra(
             )
             raise source.fault(row.where, msg)
     factors = np.array([row.factors for row in rows], dtype=np.float64)
+    _require_numbers(source, rows, factors)
     if scales.scale == "percent":
         factors /= 100.0
     _require_scale(source, rows, factors, scales.scale)
@@ -155,6 +156,14 @@ def _spectra(
             "import with --scale fraction"
         )
     return Spectra(cut.wavelengths_nm, factors[:, cut.columns]), notes
+
+
+def _require_numbers(source: Source, rows: Sequence[Row], values: FloatArray) -> None:
+    """Refuse what a format can spell and no instrument can measure."""
+    finite = np.isfinite(values).all(axis=1)
+    if not finite.all():
+        msg = "a value is not a finite number: correct it or export again"
+        raise source.fault(rows[int(finite.argmin())].where, msg)
 
 
 def _lacking(
@@ -246,6 +255,7 @@ def _lab(
     if not all(have):
         raise _lacking(source, rows, have, "Lab")
     values = np.array([row.lab for row in rows], dtype=np.float64)
+    _require_numbers(source, rows, values)
     return LabValues(values, conditions.illuminant, conditions.observer)
 
 

@@ -21,6 +21,7 @@ from paintlink.intake.source import Source
 Cell = str | float | bool | datetime
 
 ZIP_MARK = b"PK\x03\x04"
+_DIRECTORY_MARK = b"PK\x01\x02"
 MAX_MEMBERS = 2000
 MAX_INFLATED = 96 << 20
 MAX_CELLS = 4_000_000
@@ -95,15 +96,25 @@ def damaged(source: Source) -> InputError:
 
 
 def member_names(source: Source) -> list[str]:
-    """Names of what an archive holds; empty when it is none."""
+    """Names of what an archive holds; empty when it is none.
+
+    Raises
+    ------
+    InputError
+        When they are thousands; counted before the directory costs memory.
+    """
+    if source.data.count(_DIRECTORY_MARK) > MAX_MEMBERS:
+        raise source.fault("", f"more than {MAX_MEMBERS} files in the workbook")
     try:
         with zipfile.ZipFile(io.BytesIO(source.data)) as archive:
-            return archive.namelist()[:MAX_MEMBERS]
+            return archive.namelist()
     except (zipfile.BadZipFile, ValueError, OSError, NotImplementedError, EOFError):
         return []
 
 
 def _members(source: Source) -> Iterator[tuple[str, bytes]]:
+    if not member_names(source):
+        raise damaged(source)
     try:
         with zipfile.ZipFile(io.BytesIO(source.data)) as archive:
             yield from _inflated(source, archive)
@@ -117,11 +128,8 @@ def _members(source: Source) -> Iterator[tuple[str, bytes]]:
 
 
 def _inflated(source: Source, archive: zipfile.ZipFile) -> Iterator[tuple[str, bytes]]:
-    infos = archive.infolist()
-    if len(infos) > MAX_MEMBERS:
-        raise source.fault("", f"more than {MAX_MEMBERS} files in the workbook")
     left = MAX_INFLATED
-    for info in infos:
+    for info in archive.infolist():
         if not _NEEDED.fullmatch(info.filename):
             continue
         with archive.open(info) as member:

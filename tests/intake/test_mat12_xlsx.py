@@ -347,3 +347,14 @@ HIDDEN = {
 def test_places_of_cells_cannot_be_hidden(name: str) -> None:
     with pytest.raises(InputError, match=r"qc\.xlsx.*(damaged|without empty cells)"):
         read_any(repacked(sheet1=HIDDEN[name]), name="qc.xlsx")
+
+
+@pytest.mark.parametrize("text", [b"NaN", b"inf", b"-Infinity", b"1e999"])
+def test_values_that_are_no_finite_numbers_are_told_with_their_row(text: bytes) -> None:
+    source = zipfile.ZipFile(io.BytesIO(saved(book())))
+    sheet2 = source.read("xl/worksheets/sheet2.xml")
+    start = sheet2.index(b"<v>", sheet2.index(b'r="D4"')) + 3
+    changed = sheet2[:start] + text + sheet2[sheet2.index(b"</v>", start) :]
+
+    with pytest.raises(InputError, match=r"qc\.xlsx(, sheet 'Spectral Data'.* 4)?: a"):
+        read_any(repacked(sheet2=changed), name="qc.xlsx")

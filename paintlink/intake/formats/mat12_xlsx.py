@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from datetime import datetime
-from typing import NamedTuple
 
 from paintlink.errors import InputError
 from paintlink.intake.assembly import Row, Scales, Values, assemble
@@ -23,17 +22,17 @@ from paintlink.intake.contract import (
     ImporterInfo,
     Options,
 )
+from paintlink.intake.formats._mat12_sheet import Place, Sheet, full
 from paintlink.intake.geometries import read_geometry
 from paintlink.intake.source import Source
-from paintlink.intake.text import parse_number, plain
+from paintlink.intake.text import plain
 from paintlink.intake.times import to_utc
-from paintlink.intake.workbook import ZIP_MARK, Cell, Workbook, member_names
+from paintlink.intake.workbook import ZIP_MARK, Workbook, member_names
 from paintlink.model import Geometry, Instrument, Measurement, Reading, Texture
 
 INFO = ImporterInfo("mat12_xlsx", "X-Rite MA-T12 quality control workbook (XLSX)")
 
 COLOR, SPECTRAL, TEXTURE = "Color Data", "Spectral Data", "Texture Data"
-HEADING_ROWS = 20
 INSTRUMENT = Instrument("X-Rite", "MA-T12")
 
 Key = tuple[str, datetime | None]
@@ -50,7 +49,7 @@ def sniff(source: Source) -> Certainty:
 def read(source: Source, options: Options) -> Contents:
     """One reading for each name and time in the workbook."""
     book = Workbook(source)
-    sheets = {name: _Sheet(source, book, name) for name in (COLOR, SPECTRAL)}
+    sheets = {name: Sheet(source, book, name) for name in (COLOR, SPECTRAL)}
     if not any(sheet.rows for sheet in sheets.values()):
         names = ", ".join(book.names) or "none"
         msg = (
@@ -59,10 +58,11 @@ def read(source: Source, options: Options) -> Contents:
             "with a profile"
         )
         raise source.fault("", msg)
-    conditions, notes = _conditions(source, sheets[COLOR])
+    conditions = _conditions(source, sheets[COLOR])
     samples = _samples(source, sheets)
     textures = _textures(source, book)
-    colours = []
+    colours: list[Colour] = []
+    notes: list[str] = []
     for key, places in samples.items():
         rows = _rows(places, sheets)
         scales = Scales(
@@ -78,111 +78,18 @@ def read(source: Source, options: Options) -> Contents:
     return Contents(tuple(colours), notes=tuple(notes))
 
 
-class _Place(NamedTuple):
-    """A row of one sheet."""
-
-    number: int
-    cells: list[Cell]
-
-
 @dataclass
 class _Sample:
     """Rows of one reading by geometry code, in each of the two sheets."""
 
-    color: dict[str, _Place] = field(default_factory=dict)
-    spectral: dict[str, _Place] = field(default_factory=dict)
+    color: dict[str, Place] = field(default_factory=dict)
+    spectral: dict[str, Place] = field(default_factory=dict)
 
 
-class _Sheet:
-    """A sheet below its heading row; empty when it is missing or only a heading."""
-
-    def __init__(self, source: Source, book: Workbook, name: str) -> None:
-        self.name = name
-        self.source = source
-        self.above: list[list[Cell]] = []
-        self.heading: list[str] = []
-        self.rows: list[_Place] = []
-        self.wavelengths_nm: tuple[float, ...] = ()
-        if name in book.names:
-            self._split(book.rows(name))
-
-    def _split(self, rows: list[list[Cell]]) -> None:
-        for index, cells in enumerate(rows[:HEADING_ROWS]):
-            words = [str(cell).strip() for cell in cells]
-            if "Geometry" in words:
-                self.above, self.heading = rows[:index], words
-                below = enumerate(rows[index + 1 :], start=index + 2)
-                self.rows = [_Place(n, row) for n, row in below if any(map(_full, row))]
-                break
-        else:
-            if any(any(map(_full, row)) for row in rows):
-                msg = "no heading row with the word Geometry: export it again"
-                raise self.source.fault(f"sheet {self.name!r}", msg)
-        self._band_columns()
-
-    def _band_columns(self) -> None:
-        bands = [(i, word) for i, word in enumerate(self.heading) if _is_band(word)]
-        self.bands = [index for index, _ in bands]
-        self.wavelengths_nm = tuple(float(word.removesuffix("nm")) for _, word in bands)
-
-    def column(self, word: str) -> int:
-        """Number of the column whose heading begins with a word, from 0."""
-        for index, heading in enumerate(self.heading):
-            if heading.casefold().startswith(word.casefold()):
-                return index
-        msg = f"no column {word!r}: export it again"
-        raise self.source.fault(f"sheet {self.name!r}", msg)
-
-    def where(self, place: _Place, column: int | None = None) -> str:
-        """The place of a row or a cell, as the spreadsheet program calls it."""
-        if column is None:
-            return f"sheet {self.name!r}, row {place.number}"
-        return f"sheet {self.name!r}, cell {_letters(column)}{place.number}"
-
-    def numbers(self, place: _Place, columns: list[int]) -> list[float]:
-        """Numbers in some cells of a row."""
-        cells = place.cells
-        found = [cells[i] for i in columns]
-        if set(map(type, found)) == {float}:
-            return found  # type: ignore[return-value]
-        return [self._number(place, i) for i in columns]
-
-    def _number(self, place: _Place, column: int) -> float:
-        cell = place.cells[column]
-        if isinstance(cell, int | float) and not isinstance(cell, bool):
-            return float(cell)
-        try:
-            if isinstance(cell, str):
-                return parse_number(cell).value
-            msg = "not a number: correct it or export again"
-            raise InputError(msg)
-        except InputError as error:
-            raise self.source.fault(
-                self.where(place, column), str(error), cell
-            ) from error
-
-
-def _full(cell: Cell) -> bool:
-    return cell not in {"", None}
-
-
-def _is_band(word: str) -> bool:
-    return word.removesuffix("nm").strip().isdecimal() and len(word) <= 6
-
-
-def _letters(column: int) -> str:
-    letters = ""
-    number = column + 1
-    while number:
-        number, rest = divmod(number - 1, 26)
-        letters = chr(65 + rest) + letters
-    return letters
-
-
-def _conditions(source: Source, sheet: _Sheet) -> tuple[Conditions | None, list[str]]:
+def _conditions(source: Source, sheet: Sheet) -> Conditions | None:
     """Conditions of the Lab columns: in the cell above them, else in their heading."""
     if not sheet.rows:
-        return None, []
+        return None
     for number, cells in enumerate(sheet.above, start=1):
         if str(cells[0]).strip().upper().startswith("ILLUMINANT") and len(cells) > 1:
             where, text = f"sheet {sheet.name!r}, cell B{number}", str(cells[1])
@@ -191,12 +98,12 @@ def _conditions(source: Source, sheet: _Sheet) -> tuple[Conditions | None, list[
         heading = sheet.heading[sheet.column("L*")]
         where, text = f"sheet {sheet.name!r}, heading", heading[heading.find("(") + 1 :]
     try:
-        return split_conditions(text.strip(" )")), []
+        return split_conditions(text.strip(" )"))
     except InputError as error:
         raise source.fault(where, str(error)) from error
 
 
-def _samples(source: Source, sheets: dict[str, _Sheet]) -> dict[Key, _Sample]:
+def _samples(source: Source, sheets: dict[str, Sheet]) -> dict[Key, _Sample]:
     samples: dict[Key, _Sample] = {}
     for name, sheet in sheets.items():
         for place, key, code in _keyed(source, sheet):
@@ -213,7 +120,7 @@ def _samples(source: Source, sheets: dict[str, _Sheet]) -> dict[Key, _Sample]:
     return samples
 
 
-def _keyed(source: Source, sheet: _Sheet) -> Iterator[tuple[_Place, Key, str]]:
+def _keyed(source: Source, sheet: Sheet) -> Iterator[tuple[Place, Key, str]]:
     if not sheet.rows:
         return
     name, time, geometry = map(sheet.column, ("Name", "Date", "Geometry"))
@@ -226,19 +133,17 @@ def _keyed(source: Source, sheet: _Sheet) -> Iterator[tuple[_Place, Key, str]]:
         )
 
 
-def _moment(
-    source: Source, sheet: _Sheet, place: _Place, column: int
-) -> datetime | None:
+def _moment(source: Source, sheet: Sheet, place: Place, column: int) -> datetime | None:
     cell = place.cells[column]
     if isinstance(cell, datetime):
         return cell
-    if _full(cell):
+    if full(cell):
         msg = "not a time: give the column the cell format date and time"
         raise source.fault(sheet.where(place, column), msg, cell)
     return None
 
 
-def _rows(sample: _Sample, sheets: dict[str, _Sheet]) -> list[Row]:
+def _rows(sample: _Sample, sheets: dict[str, Sheet]) -> list[Row]:
     color, spectral = sheets[COLOR], sheets[SPECTRAL]
     lab_columns = [color.column(w) for w in ("L*", "a*", "b*")] if color.rows else []
     rows = []
@@ -257,10 +162,10 @@ def _rows(sample: _Sample, sheets: dict[str, _Sheet]) -> list[Row]:
 
 
 def _geometry(
-    color: _Sheet,
-    spectral: _Sheet,
-    lab: _Place | None,
-    factors: _Place | None,
+    color: Sheet,
+    spectral: Sheet,
+    lab: Place | None,
+    factors: Place | None,
     code: str,
 ) -> Geometry:
     try:
@@ -273,12 +178,12 @@ def _geometry(
 
 def _textures(source: Source, book: Workbook) -> dict[Key, tuple[Texture, ...]]:
     """Named texture values; geometries such as ``15d`` give their angle where known."""
-    sheet = _Sheet(source, book, TEXTURE)
+    sheet = Sheet(source, book, TEXTURE)
     found: dict[Key, tuple[Texture, ...]] = {}
     for place, key, code in _keyed(source, sheet):
         for column, heading in enumerate(sheet.heading):
             cell = place.cells[column]
-            if heading in {"", "Name", "Date/Time", "Geometry"} or not _full(cell):
+            if heading in {"", "Name", "Date/Time", "Geometry"} or not full(cell):
                 continue
             (value,) = sheet.numbers(place, [column])
             name = plain(f"{heading} {code}".strip(), 60)
