@@ -86,6 +86,15 @@ class StateSettings:
             "or your own state folder for paintlink when systemd is not involved",
         ),
     ]
+    keep_days: Annotated[
+        int,
+        whole(0, 36500),
+        Key(
+            "Days after which the raw bytes, the nearest paints and the picture of a "
+            "closed job are removed. The job itself and its history stay. 0 keeps "
+            "everything."
+        ),
+    ] = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -22,6 +22,7 @@ from paintlink.errors import (
     CancelledError,
     InstrumentError,
     JournalError,
+    JournalFullError,
     LinkError,
     LinkTimeoutError,
     NeedsCalibrationError,
@@ -137,6 +138,8 @@ class InstrumentWorker(threading.Thread):
             log.debug("%s: stopped while waiting", self._settings.name)
         except (LinkError, ProtocolError, InstrumentError) as error:
             self._report("lost" if self._identity else "absent", str(error))
+        except JournalFullError as error:
+            log.error("%s: nothing can be accepted: %s", self.name, error)
         except JournalError:
             log.exception("%s: the journal cannot be trusted", self.name)
             self._stop_event.set()

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import logging
 import sqlite3
+from datetime import datetime, timedelta
+from pathlib import Path
 
 from paintlink.daemon.database import Database
+
+log = logging.getLogger(__name__)
 
 
 class Keeping:
@@ -51,3 +56,17 @@ class Keeping:
                 self._db.run("UPDATE readings SET raw = x'' WHERE job_id = ?", job_id)
                 self._db.log(job_id, "pruned", f"older than {before}")
         return pictures
+
+
+def clear_out(keeping: Keeping, keep_days: int, now: datetime) -> bool:
+    """Whether there may be more to remove; with 0 days everything is kept."""
+    if keep_days == 0:
+        return False
+    before = (now - timedelta(days=keep_days)).isoformat()
+    pictures = keeping.prune(before)
+    for picture in pictures:
+        try:
+            Path(picture).unlink(missing_ok=True)
+        except OSError as error:
+            log.warning("%s: %s; remove it by hand", picture, error.strerror)
+    return bool(pictures)

@@ -8,12 +8,14 @@ import time
 from collections.abc import Callable, Sequence
 
 from paintlink.config import Settings, SinkSettings
+from paintlink.daemon.database import utc_now
 from paintlink.daemon.deliverer import Deliverer
 from paintlink.daemon.formulation import AnswerWorker
 from paintlink.daemon.hints import Hints, Watcher
 from paintlink.daemon.inbox import InboxWorker
 from paintlink.daemon.instruments import InstrumentWorker, NameSample, default_sample
 from paintlink.daemon.journal import Journal
+from paintlink.daemon.keeping import clear_out
 from paintlink.daemon.line import Line
 from paintlink.daemon.order_worker import OrderWorker
 from paintlink.daemon.render import Render
@@ -32,6 +34,7 @@ STALL_S = 60.0
 SHARE_POLL_S = 2.0
 SETTLING_S = 0.25
 SYNCED_AT_ONCE = 16
+KEEPING_S = 3600.0
 PATIENCE = 5.0  # quiet times that a file which cannot be read may still take
 
 
@@ -180,6 +183,7 @@ class Service:
         if self.settings.formulation.enabled:
             self._workers.append(self._make_answers())
         self._workers.append(self._make_orders())
+        self._workers.append(self._make_keeping())
         self._workers += map(self._make_sink, self.settings.sinks)
         return self._line
 
@@ -243,6 +247,15 @@ class Service:
 
         self._render = Worker("render", make_step, stop=self.stopped, idle_s=1.0)
         return self._render
+
+    def _make_keeping(self) -> Worker:
+        days = self.settings.state.keep_days
+
+        def make_step() -> Callable[[], bool]:
+            keeping = Journal(self.settings.journal_path).keeping
+            return lambda: clear_out(keeping, days, utc_now())
+
+        return Worker("keeping", make_step, stop=self.stopped, idle_s=KEEPING_S)
 
     def _make_orders(self) -> Worker:
         folder = self.settings.orders_folder

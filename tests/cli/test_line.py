@@ -7,16 +7,20 @@ import sqlite3
 import subprocess
 import time
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from paintlink.config import TemplateSettings
 from paintlink.daemon.journal import Journal
 from paintlink.export import load_formats
+from paintlink.intake import read_order
 from paintlink.spec import read_spec_file
 from paintlink_simulators import PtyPort
 from tests.cli.conftest import Run
 from tests.conformance.bench import SEED, panel, simulator_module
+from tests.daemon.conftest import make_reading
 
 XMLLINT = "/usr/bin/xmllint"
 
@@ -249,3 +253,29 @@ def test_trace_verify_backup_and_restore_work_together(
     assert "compare with a backup" in edited.stderr
     assert (restored.returncode, again.returncode) == (0, 0), restored.stderr
     assert "is kept in" in restored.stdout
+
+
+def test_orders_verdicts_labels_and_health_work_together(
+    run: Run, tmp_path: Path
+) -> None:
+    path = config(tmp_path, accept='"real"')
+    with Journal(tmp_path / "state" / "journal.db") as journal:
+        order = read_order(b'{"sample": "door", "vin": ""}', source="a.json")
+        journal.orders.accept(order, TemplateSettings(name="refinish"), "hash")
+    ordered = run("jobs", "orders", "--config", path)
+    with Journal(tmp_path / "state" / "journal.db") as journal:
+        reading = replace(make_reading(), sample="door")
+        token = journal.accept_reading(reading, source="bench")
+
+    verdict = run("jobs", "verdict", token, "pass", "--config", path)
+    label = run("jobs", "label", token, "--format", "zpl", "--config", path)
+    page = run("jobs", "label", token, "--config", path)
+    green = run("health", "--config", path)
+    nothing = run("jobs", "close", token, "colornet", "--config", path)
+
+    assert "refinish" in ordered.stdout
+    assert "human: pass" in verdict.stdout
+    assert f"^FDMA,{token}^FS" in label.stdout
+    assert "<svg" in page.stdout
+    assert (green.returncode, nothing.returncode) == (0, 2), green.stderr
+    assert "nothing waiting or unknown" in nothing.stderr

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import sqlite3
 from contextlib import closing
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import pytest
 
 from paintlink.daemon.journal import Journal
+from paintlink.daemon.keeping import clear_out
+from paintlink.daemon.records import Preview
 from paintlink.errors import JournalError
 from tests.daemon.conftest import make_reading, make_spec
 from tests.daemon.test_line import Shop
@@ -150,3 +153,20 @@ def test_retention_leaves_open_jobs_alone(tmp_path: Path) -> None:
     (job,) = shop.journal.jobs()
     assert job.matches != ()
     assert shop.journal.reading(1).measurement.raw == b"\x00raw"
+
+
+def test_old_jobs_are_cleared_out_and_recent_ones_kept(worked: Shop) -> None:
+    picture = worked.folder / "old.png"
+    picture.write_bytes(b"png")
+    job = worked.journal.jobs(newest_first=False)[0]
+    worked.journal.request_preview(job)
+    worked.journal.set_preview(Preview(job.id, "done", str(picture)))
+    later = datetime.now(UTC) + timedelta(days=31)
+    keeping = worked.journal.keeping
+
+    nothing = [clear_out(keeping, days, later) for days in (0, 32)]
+    kept = picture.exists()
+    clear_out(keeping, 30, later)
+
+    assert (nothing, kept, picture.exists()) == ([False, False], True, False)
+    assert list(worked.journal.trail.faults()) == []
