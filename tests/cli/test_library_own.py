@@ -7,11 +7,30 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
+from paintlink.cli import main
 from paintlink.library import bundled, paint_spec
 from paintlink.spec import read_spec_file, write_spec
 from tests.cli.conftest import Run
 from tests.library.csv_tables import HEADINGS, rows, with_cell, write_csv
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
+    """`paintlink` in this process: these commands leave nothing behind in it."""
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    monkeypatch.delenv("XDG_STATE_HOME", raising=False)
+    monkeypatch.chdir(tmp_path)
+
+    def go(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
+        words = [str(one) for one in arguments]
+        done = CliRunner().invoke(main, words, catch_exceptions=False)
+        return subprocess.CompletedProcess(
+            words, done.exit_code, done.stdout, done.stderr
+        )
+
+    return go
 
 
 @pytest.fixture
