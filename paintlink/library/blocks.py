@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from paintlink.errors import LibraryStoreError
-from paintlink.library.rows import Rows
+from paintlink.library.rows import Rows, together
 from paintlink.model import FINISHES, Finish, FloatArray
 
 _LETTER: dict[Finish, str] = {finish: finish[0] for finish in FINISHES}
@@ -204,22 +204,8 @@ def changed(old: Rows, new: Rows) -> Rows:
 def joined(blocks: Sequence[Block]) -> Block:
     """The paints of several blocks in the order of their ids."""
     ids = np.concatenate([block.ids for block in blocks])
-    rows = [block.rows for block in blocks]
-    names = sorted({name for one in rows for name in one.extras})
-    whole = Rows(
-        codes=tuple(code for one in rows for code in one.codes),
-        names=tuple(name for one in rows for name in one.names),
-        finishes=tuple(finish for one in rows for finish in one.finishes),
-        lab=np.concatenate([one.lab for one in rows]),
-        gloss_gu=np.concatenate([one.gloss_gu for one in rows]),
-        extras={
-            name: tuple(
-                text for one in rows for text in one.extras.get(name, ("",) * len(one))
-            )
-            for name in names
-        },
-    )
-    return take(Block(ids, whole), np.argsort(ids, kind="stable"))
+    whole = Block(ids, together([block.rows for block in blocks]))
+    return take(whole, np.argsort(ids, kind="stable"))
 
 
 def _taken(texts: Sequence[str], places: NDArray[np.int64]) -> tuple[str, ...]:

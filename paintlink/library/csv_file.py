@@ -22,7 +22,7 @@ from paintlink.library.incoming import (
     untold,
 )
 from paintlink.library.profile import Profile
-from paintlink.library.rows import BLOCK_PAINTS
+from paintlink.library.rows import READ_AT_ONCE
 from paintlink.library.table_rows import Converter, Row
 
 DELIMITERS = ",;\t|"
@@ -131,7 +131,7 @@ class _Table:
             before, broken = self.line, None
             rows: list[Row] = []
             try:
-                rows.extend(islice(self._reader, BLOCK_PAINTS))
+                rows.extend(islice(self._reader, READ_AT_ONCE))
             except csv.Error as error:
                 broken = error
             if rows:

@@ -9,7 +9,14 @@ from typing import TypeVar
 import numpy as np
 
 from paintlink.errors import ImportRefusedError, Refusal
-from paintlink.library.rows import Conditions, RowError, Rows, check
+from paintlink.library.rows import (
+    BLOCK_PAINTS,
+    Conditions,
+    RowError,
+    Rows,
+    check,
+    together,
+)
 
 MAX_REFUSALS = 1000
 """After so many the file as a whole is wrong, and reading it on tells nothing new."""
@@ -60,6 +67,7 @@ class Collector:
         self._source = source
         self._conditions = conditions
         self._blocks: list[Rows] = []
+        self._begun: list[Rows] = []
         self._codes: set[str] = set()
         self._refusals: list[Refusal] = []
 
@@ -92,7 +100,9 @@ class Collector:
             self.add(pieces[half:], places[half:], convert)
         else:
             self._codes.update(rows.codes)
-            self._blocks.append(_placed(rows, places))
+            self._begun.append(replace(rows, places=places))
+            if sum(map(len, self._begun)) >= BLOCK_PAINTS:
+                self._end_block()
 
     def refuse(self, place: int | str, what: str) -> None:
         """Note something that is refused.
@@ -114,11 +124,17 @@ class Collector:
         ImportRefusedError
             When anything was refused.
         """
+        self._end_block()
         if not self._refusals:
             self._check_all()
         if self._refusals:
             raise ImportRefusedError(self._source, self._refusals, stopped=stopped)
         return Incoming(self._source, self._conditions, tuple(self._blocks))
+
+    def _end_block(self) -> None:
+        if self._begun:
+            self._blocks.append(together(self._begun))
+            self._begun = []
 
     def _checked(self, rows: Rows) -> Rows:
         check(rows, self._conditions.angles_deg)
@@ -132,7 +148,8 @@ class Collector:
         if len(rows) > 1:
             return ""
         code = rows.codes[0]
-        block = next(block for block in self._blocks if code in block.codes)
+        read = (*self._blocks, *self._begun)
+        block = next(block for block in read if code in block.codes)
         place = block.places[block.codes.index(code)]
         where = f"on line {place}" if isinstance(place, int) else f"in {place}"
         return f" {where}: keep one of the two"
@@ -149,7 +166,3 @@ class Collector:
 
     def _brightest(self) -> float:
         return max(float(np.max(block.lab[..., 0])) for block in self._blocks)
-
-
-def _placed(rows: Rows, places: Places) -> Rows:
-    return replace(rows, places=places)
