@@ -28,7 +28,14 @@ def opengl() -> str:
 
 @pytest.mark.parametrize("object", object_names())
 @pytest.mark.parametrize("light", light_names())
-@pytest.mark.parametrize("specs", [[SILVER], [RED, DULL], [PEARL, GREY, RED, DULL]])
+@pytest.mark.parametrize(
+    "specs",
+    [
+        [PEARL, GREY, RED, DULL],
+        pytest.param([SILVER], marks=pytest.mark.proof),
+        pytest.param([RED, DULL], marks=pytest.mark.proof),
+    ],
+)
 def test_opengl_and_numpy_draw_the_same(
     object: str, light: str, specs: list[ColorSpec]
 ) -> None:
