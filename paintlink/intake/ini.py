@@ -38,10 +38,10 @@ class Section:
         return next((e.text for e in map(self.entries.get, keys) if e and e.text), "")
 
 
-def sections(text: str) -> Iterator[Section]:
-    """The sections of a text in their order; lines before the first are left out."""
+def sections(source: Source) -> Iterator[Section]:
+    """The sections of a file in their order; lines before the first are left out."""
     section: Section | None = None
-    for number, line in enumerate(text.splitlines(), start=1):
+    for number, line in enumerate(source.lines(), start=1):
         found = _SECTION.fullmatch(line.strip())
         if found:
             if section is not None:

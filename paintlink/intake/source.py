@@ -15,6 +15,7 @@ MAX_BYTES = 32 << 20
 """Ten thousand readings in the wordiest format; enough of an attack to bear."""
 
 HEAD_BYTES = 4096
+MAX_LINES = 1_000_000
 
 
 class Source:
@@ -54,6 +55,18 @@ class Source:
     def text(self) -> str:
         """The text of the file."""
         return self.decoded.text
+
+    def lines(self) -> list[str]:
+        """The lines of the text.
+
+        Raises
+        ------
+        InputError
+            When they are more than any export has: each costs more than its letters.
+        """
+        if self.text.count("\n") + self.text.count("\r") > MAX_LINES:
+            raise self.fault("", f"more than {MAX_LINES} lines: split the export")
+        return self.text.splitlines()
 
     @cached_property
     def head(self) -> str:

@@ -119,3 +119,9 @@ def test_same_name_twice_stays_two_readings() -> None:
     text = section("BATCH", 0, "a") + section("BATCH", 1, "a", 1)
 
     assert len(imported(text).items) == 2
+
+
+def test_millions_of_lines_are_refused_at_once() -> None:
+    assert "more than 1000000 lines: split the export" in refusal(
+        "[STANDARD_DATA 0]\n" + "1\n" * 1_100_000
+    )

@@ -73,7 +73,7 @@ def read(source: Source, options: Options) -> Contents:
 def _curves(
     source: Source, options: Options, notes: dict[str, None]
 ) -> Iterator[_Curve]:
-    for section in sections(source.text):
+    for section in sections(source):
         kind = _DATA.fullmatch(section.name)
         if not kind:
             continue

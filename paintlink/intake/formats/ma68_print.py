@@ -53,7 +53,7 @@ class _Report:
 
 def read(source: Source, options: Options) -> Contents:
     """One reading for each report in the file."""
-    reports = _reports(source.text)
+    reports = _reports(source.lines())
     if not reports:
         raise source.fault("", "no rows of wavelengths in it: save the report again")
     notes = [NO_TIME]
@@ -62,10 +62,10 @@ def read(source: Source, options: Options) -> Contents:
     return Contents(tuple(colours), notes=tuple(notes))
 
 
-def _reports(text: str) -> list[_Report]:
+def _reports(lines: list[str]) -> list[_Report]:
     reports: list[_Report] = []
     heading: list[str] = []
-    for number, line in enumerate(text.splitlines(), start=1):
+    for number, line in enumerate(lines, start=1):
         if _BAND_ROW.fullmatch(line):
             if line.split()[0] == "400" or not reports:
                 reports.append(_Report(heading))

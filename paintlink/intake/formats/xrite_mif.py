@@ -69,7 +69,7 @@ def read(source: Source, options: Options) -> Contents:
 
 def _samples(source: Source) -> Iterator[_Sample]:
     sample: _Sample | None = None
-    for section in sections(source.text):
+    for section in sections(source):
         if section.name.startswith("STANDARD"):
             if sample is not None:
                 yield sample
