@@ -74,7 +74,7 @@ class Trail:
     def _facts(self, job_id: int) -> list[dict[str, Any]]:
         sql = "SELECT kind, facts FROM events WHERE job_id = ? ORDER BY id"
         rows = self._db.all(sql, job_id)
-        return [json.loads(row["facts"]) | {"kind": row["kind"]} for row in rows]
+        return [_parsed(row["facts"]) | {"kind": row["kind"]} for row in rows]
 
     def _audited_after(self) -> int:
         row = self._db.one("SELECT value FROM meta WHERE key = 'audit_after'")
@@ -87,6 +87,15 @@ class Trail:
             event_id,
         )
         return str(row["token"]) if row else ""
+
+
+def _parsed(facts: str) -> dict[str, Any]:
+    """The facts of an entry; none when they are damaged, which its hash tells."""
+    try:
+        found = json.loads(facts)
+    except ValueError:
+        return {}
+    return found if isinstance(found, dict) else {}
 
 
 def _entry(row: sqlite3.Row) -> Entry:

@@ -131,6 +131,15 @@ def contents(path: Path) -> list[object]:
         ]
 
 
+@pytest.mark.parametrize("facts", ["{", "[1]", "7"])
+def test_unreadable_facts_are_a_change_like_any_other(worked: Shop, facts: str) -> None:
+    change(worked, f"UPDATE events SET facts = '{facts}' WHERE id = 3")
+
+    first = next(worked.journal.trail.faults())
+
+    assert (first.step, first.fault) == ("history", "was changed")
+
+
 def test_removed_by_retention_is_told_apart_from_changed(worked: Shop) -> None:
     removed = worked.journal.keeping.prune("9999-01-01")
 

@@ -17,6 +17,7 @@ from paintlink.model import FloatArray
 from paintlink_simulators.colornet.fitting import Columns, fitted, helpful
 from paintlink_simulators.colornet.target import Target
 from paintlink_simulators.paint import Formula, amounts, formula
+from paintlink_simulators.paint.toners import FLOP_CONTROL_COLUMN
 
 GOOD_DE00 = 0.25
 CLOSE_DE00 = 1.0
@@ -106,7 +107,9 @@ def _with_another(
     target: Target, parts: FloatArray
 ) -> Iterable[tuple[float, FloatArray]]:
     """Score and parts after fitting with each of the most helpful other toners."""
-    parts = np.where(parts < SMALLEST_SHARE, 0.0, parts)
+    kept = np.where(parts < SMALLEST_SHARE, 0.0, parts)
+    # Flop control alone is no paint.
+    parts = kept if kept[:FLOP_CONTROL_COLUMN].any() else parts
     columns = _used(parts)
     if columns.size >= MOST_TONERS:
         columns = np.sort(columns[np.argsort(-parts[columns])[: MOST_TONERS - 1]])
@@ -133,6 +136,8 @@ def _rounded(
 ) -> Formulation:
     """The formula as a scale can weigh it, with its colour computed anew."""
     hundredths = np.rint(TOTAL_PARTS * 100.0 * parts / parts.sum()).astype(np.int64)
+    main = np.argmax(parts[:FLOP_CONTROL_COLUMN])
+    hundredths[main] = max(1, hundredths[main])
     hundredths[np.argmax(hundredths)] += int(TOTAL_PARTS * 100) - hundredths.sum()
     weighed = hundredths / 100.0
     lab = target.predicted(weighed)[0]

@@ -114,3 +114,12 @@ def test_no_start_is_refused():
 def test_unknown_toners_are_refused():
     with pytest.raises(InputError, match="has no toner 'X99'"):
         formulate(Target(ANGLES, np.zeros((3, 3))), [{"X99": 100.0}])
+
+
+def test_flop_control_never_stands_alone():
+    target = Target(ANGLES, np.array([[60.0, 0, 0], [40.0, 0, 0], [30.0, 0, 0]]))
+
+    found = formulate(target, [{"F90": 99.999, "A03": 0.001}])
+
+    assert set(found.parts) - {"F90"}
+    assert round(sum(found.parts.values()), 6) == 100.0
