@@ -26,8 +26,23 @@ def start(
     command = [sys.executable, "-m", "paintlink", "library", "import", str(table)]
     return subprocess.Popen(
         [*command, "--into", "Shop", "--encoding", "utf-8"],
-        env=environment, stdout=subprocess.PIPE, stderr=stderr,
+        env=environment, stdout=subprocess.PIPE, stderr=stderr, preexec_fn=_stoppable,
     )  # fmt: skip
+
+
+def _stoppable() -> None:
+    """Undo what a shell does to programs in the background: they ignore Ctrl-C."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+def stopped(process: subprocess.Popen[bytes]) -> bytes:
+    """What a program says that Ctrl-C stops; a pipe that stays silent can miss one."""
+    while True:
+        process.send_signal(signal.SIGINT)
+        try:
+            return process.communicate(timeout=5.0)[1]
+        except subprocess.TimeoutExpired:
+            continue
 
 
 def test_progress_is_drawn_for_a_person(
@@ -64,8 +79,7 @@ def test_stopped_import_says_that_nothing_changed(
     ):
         file.write(",".join(HEADINGS) + "\n")
         file.flush()
-        process.send_signal(signal.SIGINT)
-        _, said = process.communicate()
+        said = stopped(process)
 
     assert process.returncode == 130
     assert b"stopped; the libraries stay as they were" in said
