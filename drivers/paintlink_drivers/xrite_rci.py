@@ -60,6 +60,7 @@ class Reader:
         for command in ("", "CE"):
             with contextlib.suppress(errors.LinkTimeoutError, errors.ProtocolError):
                 self._line.exchange(command, PING_S)
+        self._line.link.drain(RESET_S, _rci.LIMIT_S)
         # A late answer to what was sent before has no text.
         version = self._line.ask("SV") or self._line.ask("SV")
         found = re.search(rf"\b({'|'.join(MODELS)})\b", version)
