@@ -14,6 +14,7 @@ import re
 from collections import deque
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -190,8 +191,10 @@ def usb_function(simulator: Simulator) -> FtdiFunction:
 
 def spectra(exchanges: Iterable[tuple[bytes, bytes]]) -> Iterator[FloatArray]:
     """Every spectrum that bytes hold by the grammar of section 5, in factors."""
-    stream = b"".join(received for _, received in exchanges)
-    for reply in stream.split(END):
+    answers = [received for _, received in exchanges]
+    # A reply may come in two answers; what stands before a command was sent is dropped.
+    pieces = [b"".join(answers), *answers]
+    for reply in chain.from_iterable(piece.split(END) for piece in pieces):
         if match := WRITTEN.fullmatch(reply.replace(b"\n", b"").strip()):
             fields = match[1].decode("ascii").split(",")[1:]
             yield np.array(fields, dtype=np.float64) / 100.0

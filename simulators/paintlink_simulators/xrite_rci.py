@@ -321,7 +321,11 @@ def usb_function(simulator: Simulator) -> RciFunction:
 
 
 def spectra(exchanges: Iterable[tuple[bytes, bytes]]) -> Iterator[FloatArray]:
-    """Every binary spectrum that bytes hold by section 6, in factors."""
+    """Every binary spectrum that bytes hold by section 6, in factors.
+
+    An echo of the command may stand before it.
+    """
     for sent, received in exchanges:
-        if sent.upper().endswith(b"01GM\r") and len(received) == BINARY_BYTES:
-            yield np.frombuffer(received, ">u2") * 2.0 / 65535.0
+        binary = received.removeprefix(sent)
+        if sent.upper().endswith(b"01GM\r") and len(binary) == BINARY_BYTES:
+            yield np.frombuffer(binary, ">u2") * 2.0 / 65535.0

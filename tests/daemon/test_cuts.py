@@ -23,6 +23,8 @@ from paintlink_simulators import ManualClock, MemoryPort, Operator
 from tests.daemon.instrument_bench import Desk, panel, simulator_module
 
 ALL = sorted(drivers())
+AFTER_VALUES = {"xrite_rci": 5}
+"""Bytes behind the last value where they are more than a line end: back to text."""
 
 
 class CutStream:
@@ -107,8 +109,9 @@ def test_cut_at_every_byte_gives_no_half_reading_and_no_double(driver_id: str) -
         except LinkError:
             pass
         else:
-            # Only the line end of the last answer was missing: the reading is whole.
-            assert place >= size - 2
+            # Only what follows the last value was missing: the reading is whole.
+            assert place >= size - AFTER_VALUES.get(driver_id, 2)
+            assert len(cut.raw) == len(whole.raw)
             assert values(cut) not in seen
             seen.add(values(cut))
         if place % 40 == 0:
