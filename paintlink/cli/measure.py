@@ -138,11 +138,11 @@ def _show(
 ) -> None:
     from paintlink.cli.answers import print_matches
     from paintlink.cli.output import match_document, spec_document
+    from paintlink.daemon.paints import known_paints
     from paintlink.daemon.pipeline import match, specify
-    from paintlink.library import bundled
 
     spec = specify(reading, finish)
-    _, matches = match(spec, bundled(), settings.snap)
+    _, matches = match(spec, known_paints(settings), settings.snap)
     if as_json:
         matched = [match_document(one) for one in matches]
         print_json({"specification": spec_document(spec), "matches": matched})

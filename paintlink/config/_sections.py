@@ -260,6 +260,14 @@ class SnapSettings:
             "one formula for all your work."
         ),
     ] = "cie76"
+    library: Annotated[
+        FilledText,
+        Key(
+            "Paint library that readings are compared with: virtual, munsell or one of "
+            "your own (`paintlink library libraries` lists them). The service reads it "
+            "when it starts."
+        ),
+    ] = "virtual"
     top: Annotated[int, whole(1, 1000), Key("Paints on the list of the nearest.")] = 20
     green: Annotated[
         float,

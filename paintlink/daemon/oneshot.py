@@ -8,12 +8,12 @@ from collections.abc import Callable
 from paintlink.config import Settings
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.line import Line
+from paintlink.daemon.paints import known_paints
 from paintlink.daemon.records import Job
 from paintlink.daemon.render import Render
 from paintlink.daemon.roles import RoleLocks
 from paintlink.errors import ConfigError, JournalError
 from paintlink.export import load_formats
-from paintlink.library import bundled
 from paintlink.model import Reading
 
 SERVICE_LIMIT_S = 30.0
@@ -69,7 +69,7 @@ def _line(journal: Journal, settings: Settings) -> Line:
     return Line(
         journal,
         settings,
-        table=bundled(),
+        table=known_paints(settings),
         formats=load_formats(settings.formats_folder),
         clock=time.time,
     )

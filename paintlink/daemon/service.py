@@ -18,6 +18,7 @@ from paintlink.daemon.journal import Journal
 from paintlink.daemon.keeping import clear_out
 from paintlink.daemon.line import Line
 from paintlink.daemon.order_worker import OrderWorker
+from paintlink.daemon.paints import known_paints
 from paintlink.daemon.render import Render
 from paintlink.daemon.roles import ROLES, Role, RoleLocks
 from paintlink.daemon.scanner import Scanner
@@ -25,7 +26,6 @@ from paintlink.daemon.sinks import SinkWorker
 from paintlink.daemon.worker import Worker
 from paintlink.export import load_formats
 from paintlink.intake import Inbox, InboxFolders, load_profiles
-from paintlink.library import bundled
 
 log = logging.getLogger(__name__)
 
@@ -158,12 +158,13 @@ class Service:
 
     def _make_line(self) -> Worker:
         served = tuple(route.name for route in self.settings.routes if route.enabled)
+        table = known_paints(self.settings)
 
         def make_step() -> Callable[[], bool]:
             line = Line(
                 Journal(self.settings.journal_path),
                 self.settings,
-                table=bundled(),
+                table=table,
                 formats=load_formats(self.settings.formats_folder),
                 clock=time.time,
                 others=served,

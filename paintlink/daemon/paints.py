@@ -1,0 +1,19 @@
+"""The paint library that the line compares readings with."""
+
+from __future__ import annotations
+
+from paintlink.config import Settings
+from paintlink.model import PaintTable
+
+
+def known_paints(settings: Settings) -> PaintTable:
+    """The library that ``[snap] library`` names, as it is now.
+
+    Raises
+    ------
+    LibraryError
+        When there is none of that name, or it cannot be read.
+    """
+    from paintlink.library import Shelf
+
+    return Shelf(settings.library_path).table(settings.snap.library)

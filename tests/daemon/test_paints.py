@@ -1,0 +1,49 @@
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from paintlink.config import Settings, SnapSettings, default_settings
+from paintlink.daemon.paints import known_paints
+from paintlink.daemon.service import Service
+from paintlink.errors import LibraryError
+from paintlink.library import Shelf, bundled
+from paintlink.library.csv_file import read_csv
+from paintlink.library.headings import Profile
+from tests.library.csv_tables import rows, write_csv
+
+
+@pytest.fixture
+def settings(tmp_path: Path) -> Settings:
+    return default_settings(environ={"STATE_DIRECTORY": str(tmp_path / "state")})
+
+
+def comparing_with(settings: Settings, library: str) -> Settings:
+    return replace(settings, snap=SnapSettings(library=library))
+
+
+def test_the_bundled_library_is_the_usual_one(settings: Settings) -> None:
+    assert known_paints(settings) is bundled()
+
+
+def test_an_own_library_is_compared_with_once_it_is_named(
+    settings: Settings, tmp_path: Path
+) -> None:
+    table = write_csv(tmp_path / "paints.csv", rows(30))
+    shelf = Shelf(settings.library_path)
+    shelf.editor.import_paints("Shop", read_csv(table, Profile()), "add")
+
+    found = known_paints(comparing_with(settings, "shop"))
+
+    assert (found.library, len(found)) == ("Shop", 30)
+
+
+def test_the_service_does_not_start_with_an_unknown_library(settings: Settings) -> None:
+    unknown = comparing_with(settings, "Nowhere")
+
+    with pytest.raises(LibraryError, match="Nowhere"):
+        known_paints(unknown)
+    with pytest.raises(LibraryError, match="Nowhere"):
+        Service(unknown, roles=("line",)).start()
