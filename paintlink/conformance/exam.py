@@ -30,7 +30,8 @@ PRESS_AFTER_S = 0.2
 EXCHANGES = range(8)
 CHUNKS = (1, 3, 4096)
 NAMED = (LinkError, ProtocolError, InstrumentError, ReadingError)
-BUSY = (LinkTimeoutError, ProtocolError)
+ASKED_ALONE = 3
+BUSY = (InstrumentError, LinkTimeoutError, ProtocolError)
 ANGLES = np.array([15.0, 25.0, 45.0, 75.0, 110.0])
 WORKERS = 48
 
@@ -68,16 +69,25 @@ def examine_all(
 ) -> list[Result]:
     """The answers, many at once: where time is real they mostly wait.
 
-    What is refused although nothing is wrong is asked once more, alone: a busy machine
-    pauses longer than the silence that ends an answer. No other failure is.
+    What is refused although nothing is wrong is asked again, alone, at most three
+    times: a busy machine pauses longer than the silence that ends an answer. No other
+    failure is.
     """
     questions = list(questions)
     with ThreadPoolExecutor(workers) as pool:
         answers = list(pool.map(lambda question: examine(*question), questions))
     return [
-        examine(*question) if _perhaps_busy(answer) else answer
+        _asked_alone(question, answer)
         for question, answer in zip(questions, answers, strict=True)
     ]
+
+
+def _asked_alone(question: tuple[Subject, Case], answer: Result) -> Result:
+    for _ in range(ASKED_ALONE):
+        if not _perhaps_busy(answer):
+            break
+        answer = examine(*question)
+    return answer
 
 
 def _perhaps_busy(answer: Result) -> bool:
