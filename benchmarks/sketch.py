@@ -43,9 +43,8 @@ Library paints are synthetic clamped quadratics inside sRGB. Noise is Gaussian, 
 the encoded range; strokes are thick lines of random flat colour over 10 % of the
 object. All pictures are synthetic: no artist has painted any of them.
 
-A JPEG rounds the chroma of smooth areas to whole codes, so that greys come back up to
-dE00 2 off. Below L* 15 a flop is a handful of codes deep in an 8-bit file and comes
-back to dE00 0.4 only.
+Eight bits leave a dark flop a handful of codes, and a JPEG rounds the chroma of smooth
+areas to whole codes; the fit takes that back by saving itself the same way.
 """
 
 
