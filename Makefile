@@ -37,7 +37,7 @@ test: lint ## Every check but the long proofs.
 	    --cov --cov-report=term:skip-covered
 
 proof: $(VENV)/developed ## The long proofs: kill sweeps, fuzzing at full count.
-	$(BIN)/python -m pytest -q -m proof
+	$(BIN)/python -m pytest -q -m proof --timeout 1200
 
 lab: $(VENV)/developed ## The drivers on a real kernel with real USB, in a virtual machine.
 	tools/lab/build.sh $(LAB)
