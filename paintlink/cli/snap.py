@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -98,12 +99,11 @@ def command(
     each row and columns like code, L15, a15, b15: then a CSV table of the lists is
     written, or JSON Lines with --json.
     """
-    from paintlink.cli.state import settings_of
+    from paintlink.config import load_snap_settings
 
-    told = settings_of(config)
-    settings = told.snap
+    settings = load_snap_settings(config, environ=os.environ)
     options = options_of(settings, top=top, metric=metric, angles=_angles(angles))
-    tables = _tables(libraries, told.library_path)
+    tables = _tables(libraries, config)
     masks = _masks(tables, finishes, conditions)
     if target.is_dir() or target.suffix.lower() in {".csv", ".tsv", ".txt"}:
         from paintlink.cli.snap_many import snap_many
@@ -133,15 +133,16 @@ def command(
         write_graph(graph, spec, found.matches, first)
 
 
-def _tables(libraries: tuple[str, ...], path: Path) -> list[PaintTable]:
+def _tables(libraries: tuple[str, ...], config: Path | None) -> list[PaintTable]:
     """The libraries of these names; the shelf is opened only for the shop's own."""
     if set(libraries) <= {BUNDLED}:
         from paintlink.library import bundled
 
         return [bundled()]
+    from paintlink.cli.state import settings_of
     from paintlink.library import Shelf
 
-    shelf = Shelf(path)
+    shelf = Shelf(settings_of(config).library_path)
     return [shelf.table(name) for name in dict.fromkeys(libraries)]
 
 

@@ -1,22 +1,27 @@
 """What the service is told: one TOML file, checked as a whole, as frozen settings."""
 
-from paintlink.config._explain import explain
-from paintlink.config._known import check_against
-from paintlink.config._load import default_settings, find_config, load_settings
-from paintlink.config._sections import (
-    FormulationSettings,
-    InboxSettings,
-    InstrumentSettings,
-    LogSettings,
-    PreviewSettings,
-    RouteSettings,
-    SinkSettings,
-    SiteSettings,
-    SnapSettings,
-    StateSettings,
-    TemplateSettings,
-)
-from paintlink.config.settings import Settings
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from paintlink.config._defaults import default_settings
+    from paintlink.config._explain import explain
+    from paintlink.config._known import check_against
+    from paintlink.config._load import find_config, load_settings, load_snap_settings
+    from paintlink.config.sections.formulation import FormulationSettings
+    from paintlink.config.sections.inbox import InboxSettings
+    from paintlink.config.sections.instrument import InstrumentSettings
+    from paintlink.config.sections.preview import PreviewSettings
+    from paintlink.config.sections.routes import (
+        RouteSettings,
+        SinkSettings,
+        TemplateSettings,
+    )
+    from paintlink.config.sections.site import LogSettings, SiteSettings, StateSettings
+    from paintlink.config.sections.snap import SnapSettings
+    from paintlink.config.settings import Settings
 
 __all__ = [
     "FormulationSettings",
@@ -36,4 +41,34 @@ __all__ = [
     "explain",
     "find_config",
     "load_settings",
+    "load_snap_settings",
 ]
+
+_HOMES = {
+    "FormulationSettings": "sections.formulation",
+    "InboxSettings": "sections.inbox",
+    "InstrumentSettings": "sections.instrument",
+    "LogSettings": "sections.site",
+    "PreviewSettings": "sections.preview",
+    "RouteSettings": "sections.routes",
+    "Settings": "settings",
+    "SinkSettings": "sections.routes",
+    "SiteSettings": "sections.site",
+    "SnapSettings": "sections.snap",
+    "StateSettings": "sections.site",
+    "TemplateSettings": "sections.routes",
+    "check_against": "_known",
+    "default_settings": "_defaults",
+    "explain": "_explain",
+    "find_config": "_load",
+    "load_settings": "_load",
+    "load_snap_settings": "_load",
+}
+"""Module of each name, imported when it is first asked for: most commands need few."""
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        msg = f"module {__name__!r} has no attribute {name!r}"
+        raise AttributeError(msg)
+    return getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)

@@ -9,9 +9,9 @@ from pathlib import Path
 
 from paintlink.config._document import REPEATED
 from paintlink.config._faults import Fault
-from paintlink.config._sections import SnapSettings
 from paintlink.config._tables import Table, entries, section
 from paintlink.config._texts import block, shown
+from paintlink.config.sections.snap import SnapSettings
 from paintlink.intake import InboxFolders
 
 

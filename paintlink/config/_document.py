@@ -6,19 +6,17 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, get_args, get_type_hints
 
-from paintlink.config._sections import (
-    FormulationSettings,
-    InboxSettings,
-    InstrumentSettings,
-    LogSettings,
-    PreviewSettings,
+from paintlink.config.sections.formulation import FormulationSettings
+from paintlink.config.sections.inbox import InboxSettings
+from paintlink.config.sections.instrument import InstrumentSettings
+from paintlink.config.sections.preview import PreviewSettings
+from paintlink.config.sections.routes import (
     RouteSettings,
     SinkSettings,
-    SiteSettings,
-    SnapSettings,
-    StateSettings,
     TemplateSettings,
 )
+from paintlink.config.sections.site import LogSettings, SiteSettings, StateSettings
+from paintlink.config.sections.snap import SnapSettings
 from paintlink.config.settings import Settings
 
 

@@ -65,6 +65,7 @@ def _is_pattern(text: str) -> bool:
     return text.strip() != "" and pattern_problem(text) is None
 
 
+Origin = Literal["real", "simulated"]
 FilledText = Annotated[str, Rule("text in quotes, not empty", str.strip)]
 Folder = Annotated[
     Path, Rule('a folder in quotes, without "~", such as "/srv"', Path.is_absolute)

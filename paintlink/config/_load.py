@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from paintlink.config._overlay import overlay
-from paintlink.config._places import (
-    candidates,
-    inbox_folder,
-    is_absent,
-    site_folder,
-    state_folder,
-)
-from paintlink.config._sections import InboxSettings, SiteSettings, StateSettings
-from paintlink.config.settings import Settings
+from paintlink.config._places import candidates, is_absent
+
+if TYPE_CHECKING:
+    from paintlink.config.sections.snap import SnapSettings
+    from paintlink.config.settings import Settings
 
 
 def load_settings(path: Path | None = None, *, environ: Mapping[str, str]) -> Settings:
@@ -33,10 +30,29 @@ def load_settings(path: Path | None = None, *, environ: Mapping[str, str]) -> Se
     """
     source = path or find_config(environ)
     if source is None and not overlay(environ):
+        from paintlink.config._defaults import default_settings
+
         return default_settings(environ=environ)
     from paintlink.config._check import checked
 
     return checked(source, environ=environ)
+
+
+def load_snap_settings(
+    path: Path | None = None, *, environ: Mapping[str, str]
+) -> SnapSettings:
+    """The section ``[snap]`` of `load_settings`, there much sooner when nothing is set.
+
+    Raises
+    ------
+    ConfigError
+        As `load_settings` does.
+    """
+    if path or find_config(environ) or overlay(environ):
+        return load_settings(path, environ=environ).snap
+    from paintlink.config.sections.snap import SnapSettings
+
+    return SnapSettings()
 
 
 def find_config(environ: Mapping[str, str]) -> Path | None:
@@ -45,13 +61,3 @@ def find_config(environ: Mapping[str, str]) -> Path | None:
     if named:
         return Path(named)
     return next((path for path in candidates() if not is_absent(path)), None)
-
-
-def default_settings(*, environ: Mapping[str, str]) -> Settings:
-    """Settings of somebody who has written none: no instrument and no route."""
-    site = site_folder(environ)
-    return Settings(
-        site=SiteSettings(folder=site),
-        state=StateSettings(folder=state_folder(environ)),
-        inbox=InboxSettings(folder=inbox_folder(site)),
-    )

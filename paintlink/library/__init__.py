@@ -5,13 +5,10 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-# These two have the names of their modules, which would hide them otherwise.
-from paintlink.library.histogram import Histogram, histogram
-from paintlink.library.munsell import munsell
-
 if TYPE_CHECKING:
     from paintlink.library.facets import FacetChoice, facet_of, parse_choices
     from paintlink.library.filters import INDEX_NAMES, Filter, IndexName, Range
+    from paintlink.library.histograms import Histogram, histogram
     from paintlink.library.lookup import find, paint_spec
     from paintlink.library.measures import (
         Indices,
@@ -20,6 +17,7 @@ if TYPE_CHECKING:
         leaves,
         statistics,
     )
+    from paintlink.library.renotation import munsell
     from paintlink.library.shelf import MUNSELL, VIRTUAL, Entry, Shelf
     from paintlink.library.store import bundled
     from paintlink.library.virtual import Book, Ingredient, book
@@ -60,6 +58,7 @@ _HOMES = {
     "Entry": "shelf",
     "FacetChoice": "facets",
     "Filter": "filters",
+    "Histogram": "histograms",
     "IndexName": "filters",
     "Indices": "measures",
     "Ingredient": "virtual",
@@ -70,8 +69,10 @@ _HOMES = {
     "bundled": "store",
     "facet_of": "facets",
     "find": "lookup",
+    "histogram": "histograms",
     "indices": "measures",
     "leaves": "measures",
+    "munsell": "renotation",
     "paint_spec": "lookup",
     "parse_choices": "facets",
     "statistics": "measures",

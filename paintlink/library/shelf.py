@@ -10,7 +10,7 @@ from paintlink.errors import LibraryError
 from paintlink.library.diff import Difference
 from paintlink.library.editing import Editor
 from paintlink.library.generations import Generation
-from paintlink.library.munsell import munsell
+from paintlink.library.renotation import munsell
 from paintlink.library.rows import Conditions
 from paintlink.library.store import bundled
 from paintlink.library.stored import StoredLibraries

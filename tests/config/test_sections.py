@@ -8,14 +8,14 @@ from typing import get_args
 import pytest
 
 from paintlink import instrument, model
-from paintlink.config import RouteSettings, _sections
+from paintlink.config import RouteSettings, _keys
 from paintlink.config._document import keys
 from paintlink.config._keys import choices
 from paintlink.export.names import FIELDS
 
 
 def test_origins_are_those_of_the_model() -> None:
-    assert get_args(_sections.Origin) == get_args(model.Origin)
+    assert get_args(_keys.Origin) == get_args(model.Origin)
 
 
 def test_finishes_are_those_of_the_model() -> None:

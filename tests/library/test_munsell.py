@@ -12,7 +12,7 @@ import pytest
 
 from paintlink.color import LEAVES, lab_to_lch, xyz_to_lab
 from paintlink.library import Filter, find, leaves, munsell, parse_choices, statistics
-from paintlink.library.munsell import MUNSELL_FILE
+from paintlink.library.renotation import MUNSELL_FILE
 
 TOOL = Path(__file__).parents[2] / "tools" / "make_munsell.py"
 
