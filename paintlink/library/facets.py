@@ -105,6 +105,10 @@ class LazyFacets(Mapping[str, Facet]):
             self._known[name] = facet(self._columns[name]())
         return self._known[name]
 
+    def __contains__(self, name: object) -> bool:
+        """Whether there is a column of this name; it is not read for that."""
+        return name in self._columns
+
     def __iter__(self) -> Iterator[str]:
         return iter(self._columns)
 

@@ -7,7 +7,7 @@ spectra, textures and groups are read when they are first asked for.
 from __future__ import annotations
 
 from functools import cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,27 +33,21 @@ class Ingredient(NamedTuple):
     parts: float
 
 
+class Columns(dict[str, NDArray[Any]]):
+    """Columns of the file by name, each read when it is first asked for."""
+
+    def __missing__(self, name: str) -> NDArray[Any]:
+        """Read one."""
+        self.update(columns(BUNDLED, name))
+        return self[name]
+
+
 class Book:
     """The bundled paints with everything known about them, by row of the table."""
 
     def __init__(self, table: PaintTable) -> None:
         self.table = table
-        self._columns = columns(
-            BUNDLED,
-            "toner_codes",
-            "toner_names",
-            "formula_ends",
-            "formula_toners",
-            "formula_hundredths",
-            "solid_roots",
-            "effect_roots",
-            "texture_names",
-            "texture_angles_deg",
-            "texture_hundredths",
-            "primes",
-            "roles",
-            "role_names",
-        )
+        self._columns = Columns()
 
     def formula(self, row: int) -> tuple[Ingredient, ...]:
         """Toners of a paint, the largest amount first."""
@@ -95,13 +89,18 @@ class Book:
             for name, angle, value in zip(names, angles, values, strict=True)
         )
 
+    @property
+    def primes(self) -> NDArray[np.integer[Any]]:
+        """Row of the prime of every paint, shape (n,)."""
+        return self._columns["primes"]
+
     def prime(self, row: int) -> int:
         """Row of the prime of a paint."""
-        return int(self._columns["primes"][row])
+        return int(self.primes[row])
 
     def group(self, row: int) -> tuple[int, ...]:
         """Rows of the prime and the variants around it, the prime first."""
-        primes = self._columns["primes"]
+        primes = self.primes
         members = np.flatnonzero(primes == primes[row]).tolist()
         return (int(primes[row]), *(one for one in members if one != primes[row]))
 
@@ -112,14 +111,14 @@ class Book:
 
 @cache
 def book() -> Book:
-    """The bundled book; its file is read once."""
+    """The bundled book; what was read of its file is kept."""
     return Book(bundled())
 
 
 def _groups() -> list[str]:
     """Code of the prime of every paint."""
-    table = bundled()
-    return [table.codes[book().prime(row)] for row in range(len(table))]
+    codes = bundled().codes
+    return [codes[row] for row in book().primes.tolist()]
 
 
 def _variants() -> list[str]:
