@@ -82,6 +82,11 @@ class Settings:
         return self.state.folder / "library.db"
 
     @property
+    def indexes_folder(self) -> Path:
+        """Folder of the search trees; safe to delete, they grow again."""
+        return self.state.folder / "indexes"
+
+    @property
     def captures_folder(self) -> Path:
         """Folder of the captured sessions with instruments."""
         return self.state.folder / "captures"
