@@ -25,6 +25,9 @@ from paintlink.errors import JournalError
 REFUSED = "the journal refused to store"
 ADVICE = "free disk space or check the disk"
 
+# The program's own mistakes: the disk and the journal are as good as before.
+MISTAKES = (sqlite3.IntegrityError, sqlite3.ProgrammingError, sqlite3.DataError)
+
 # Writers that meet in SQLite sleep up to 0.1 s at a time; threads queue here instead.
 _turns: defaultdict[str, threading.RLock] = defaultdict(threading.RLock)
 
@@ -165,6 +168,8 @@ class Database:
     def _watched(self, what: str, advice: str) -> Iterator[None]:
         try:
             yield
+        except MISTAKES:
+            raise
         except sqlite3.Error as error:
             if getattr(error, "sqlite_errorcode", None) in DAMAGED:
                 suspect_path(self._path).touch()

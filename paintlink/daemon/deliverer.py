@@ -7,10 +7,12 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 
 from paintlink.config import RouteSettings
 from paintlink.daemon.deliveries import FARTHEST_RETRY_S
+from paintlink.daemon.faults import Batch
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.pipeline import retry_delay_s
 from paintlink.daemon.records import Delivery, Job
@@ -71,6 +73,7 @@ class Deliverer:
         threads: int = 1,
     ) -> None:
         self._threads = threads
+        self._batch = Batch(TOGETHER)
         self._journal = journal
         self._routes = {route.name: route for route in routes}
         self._formats = formats
@@ -90,10 +93,20 @@ class Deliverer:
             if now < at <= now + FARTHEST_RETRY_S
         ]
         due = self._journal.deliveries.due_together(
-            now, TOGETHER, route=self._only, without=[*self._without, *resting]
+            now,
+            self._batch.size,
+            route=self._only,
+            without=[*self._without, *resting],
         )
         if not due:
             return False
+        taken = due if due[0].state == "pending" else due[:1]
+        what = f"route {due[0].route}, delivery {due[0].id}"
+        with self._batch.tried(taken, what, partial(self._put_aside, due[0])):
+            self._serve(taken)
+        return True
+
+    def _serve(self, due: Sequence[Delivery]) -> None:
         try:
             self._require_folder(due[0])
             if due[0].state == "pending":
@@ -104,7 +117,17 @@ class Deliverer:
             self._not_delivered(due[0], error)
         else:
             self._resting_until.pop(due[0].route, None)
-        return True
+
+    def _put_aside(self, delivery: Delivery, fault: str) -> None:
+        """Leave a delivery to people, unless it got further before the fault."""
+        if self._journal.deliveries.state_of(delivery.id) != delivery.state:
+            return
+        if delivery.state == "publishing":
+            note = f"{fault}: look whether {delivery.name} arrived"
+            self._journal.deliveries.settle(delivery, "unknown", note)
+            return
+        note = f"{fault}; report it; `paintlink jobs retry` tries it again"
+        self._journal.deliveries.settle(delivery, "failed", note)
 
     def look_at_folders(self) -> None:
         """Note which files the other programs have taken, and which lie too long."""

@@ -87,6 +87,11 @@ class Deliveries:
             == (found[0].state, found[0].route, found[0].folder)
         )
 
+    def state_of(self, delivery_id: int) -> DeliveryState | None:
+        """State of a delivery as it is now."""
+        row = self._db.one("SELECT state FROM deliveries WHERE id = ?", delivery_id)
+        return row["state"] if row else None
+
     def next_retry_s(self) -> float | None:
         """When the next postponed delivery becomes due, in seconds since 1970."""
         row = self._db.one(

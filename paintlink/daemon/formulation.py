@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import hashlib
 import logging
 import re
 
 from paintlink.config import FormulationSettings
+from paintlink.daemon.folder_worker import FolderWorker
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.records import Job
-from paintlink.errors import InputError
 from paintlink.formulation import (
     Step,
     best_step,
@@ -18,17 +17,16 @@ from paintlink.formulation import (
     read_answer,
     require_fitting,
 )
-from paintlink.intake import BusyFileError, Claim, Inbox
+from paintlink.intake import Claim, Inbox
 from paintlink.spec import read_spec
 
 log = logging.getLogger(__name__)
 
-BUSY_LIMIT_S = 300.0
 _TOKEN = re.compile(r"[a-z2-7]{10}")
 
 
-class AnswerWorker:
-    """Takes answers from their folder, each once, and matches them to their jobs.
+class AnswerWorker(FolderWorker):
+    """Takes answers, each once, and matches them to their jobs.
 
     Parameters
     ----------
@@ -39,57 +37,24 @@ class AnswerWorker:
     def __init__(
         self, journal: Journal, inbox: Inbox, rules: FormulationSettings, route: str
     ) -> None:
-        self._journal = journal
-        self._inbox = inbox
+        super().__init__(inbox)
+        self._formulas = journal.formulas
         self._rules = rules
         self._route = route
-        self._trouble = ""
 
-    def step(self) -> bool:
-        """Take one answer; False when none is ready."""
-        claim = self._claim()
-        if claim is None:
-            return False
-        try:
-            self._accept(claim)
-        except InputError as error:
-            patience_s = BUSY_LIMIT_S if isinstance(error, BusyFileError) else None
-            if not self._inbox.postpone(claim.path, patience_s=patience_s):
-                log.warning("answers: %s", error)
-                self._inbox.finish(claim.path, "failed", str(error))
-        return True
+    def _known(self, digest: str) -> str | None:
+        return self._formulas.file_name(digest)
 
-    def _claim(self) -> Claim | None:
-        try:
-            claim = self._inbox.claim()
-        except InputError as error:
-            if str(error) != self._trouble:
-                log.warning("answers: %s", error)
-            self._trouble = str(error)
-            return None
-        self._trouble = ""
-        return claim
-
-    def _accept(self, claim: Claim) -> None:
-        data = self._inbox.read(claim.path)
-        digest = hashlib.sha256(data).hexdigest()
-        known = self._journal.formulas.file_name(digest)
-        if known is not None and not claim.left_over:
-            reason = f"the same answer was taken before as {known}"
-            self._inbox.finish(claim.path, "duplicate", reason)
-            return
-        if known is None:
-            self._store(claim.path.name, data, digest)
-        self._inbox.finish(claim.path, "done")
-
-    def _store(self, name: str, data: bytes, digest: str) -> None:
+    def _store(self, claim: Claim, data: bytes, digest: str) -> str:
+        name = claim.path.name
         answer = read_answer(data, source=name)
-        target = read_spec(self._journal.formulas.job_of(answer.job)["spec"])
+        target = read_spec(self._formulas.job_of(answer.job)["spec"])
         require_fitting(answer, target, toners=self._rules.toners)
-        stored = self._journal.formulas.accept(
+        stored = self._formulas.accept(
             answer, route=self._route, file=name, sha256=digest, document=data
         )
         log.info("%s answered, iteration %d", answer.job, stored.iteration)
+        return ""
 
 
 class Booth:

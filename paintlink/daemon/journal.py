@@ -139,11 +139,11 @@ class Journal:
         found = self.jobs(state=state, limit=1, newest_first=False)
         return found[0] if found else None
 
-    def oldest(self, states: Sequence[JobState], limit: int) -> tuple[Job, ...]:
-        """The oldest jobs in any of some states."""
+    def oldest(self, states: Sequence[JobState], limit: int) -> tuple[int, ...]:
+        """Ids of the oldest jobs in any of some states."""
         marks = ", ".join("?" * len(states))
-        sql = f"SELECT * FROM jobs WHERE state IN ({marks}) ORDER BY id LIMIT ?"
-        return tuple(self._job(row) for row in self._db.all(sql, *states, limit))
+        sql = f"SELECT id FROM jobs WHERE state IN ({marks}) ORDER BY id LIMIT ?"
+        return tuple(int(row["id"]) for row in self._db.all(sql, *states, limit))
 
     def set_specified(self, job: Job, spec: ColorSpec, *, keep: bool = True) -> None:
         """Keep the specification made from a reading.
@@ -202,14 +202,14 @@ class Journal:
             self._db.update("jobs", job.id, state="done", error="")
             self._db.log(job.id, "done", text)
 
-    def fail(self, job: Job, error: str) -> None:
+    def fail(self, job_id: int, error: str) -> None:
         """The job cannot go on by itself; everything it holds is kept."""
         with self._db.transaction():
-            self._db.update("jobs", job.id, state="failed", error=error)
-            self._db.log(job.id, "failed", error)
+            self._db.update("jobs", job_id, state="failed", error=error)
+            self._db.log(job_id, "failed", error)
 
     def retry(self, job: Job) -> None:
-        """Put a failed job, and failed deliveries of any job, back to work."""
+        """Put a failed job, and what failed of any job, back to work."""
         start = "received" if job.spec is None else "specified"
         with self._db.transaction():
             if job.state == "failed":
@@ -217,6 +217,11 @@ class Journal:
             self._db.run(
                 "UPDATE deliveries SET state = 'pending', retry_at = 0, error = '' "
                 "WHERE job_id = ? AND state IN ('pending', 'failed')",
+                job.id,
+            )
+            self._db.run(
+                "UPDATE previews SET state = 'pending', note = '' "
+                "WHERE job_id = ? AND state = 'failed'",
                 job.id,
             )
             self._reopen(job)

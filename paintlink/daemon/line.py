@@ -7,13 +7,14 @@ nothing twice.
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 
 from paintlink.config import Settings
 from paintlink.daemon.averaging import average
 from paintlink.daemon.deliverer import Deliverer
+from paintlink.daemon.faults import Batch
 from paintlink.daemon.formulation import Booth
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.orders import StoredOrder, machine_verdict
@@ -54,6 +55,7 @@ class Line:
         self._journal = journal
         self._settings = settings
         self._table = table
+        self._batch = Batch(TOGETHER)
         self._booth = Booth(journal, settings.formulation, settings.answering_route)
         self._deliverer = Deliverer(
             journal, settings.routes, formats, clock=clock, without=others
@@ -72,12 +74,26 @@ class Line:
 
         What takes time is done before the transaction begins: intake never waits.
         """
-        jobs = self._journal.oldest(("received", "specified"), TOGETHER)
-        changes = [change for job in jobs for change in self._changes(job)]
+        jobs = self._journal.oldest(("received", "specified"), self._batch.size)
+        if not jobs:
+            return False
+        first = jobs[0]
+        with self._batch.tried(jobs, f"job {first}", partial(self._put_aside, first)):
+            self._store([
+                change
+                for job_id in jobs
+                for change in self._changes(self._journal.head(job_id))
+            ])
+        return True
+
+    def _store(self, changes: Iterable[Change]) -> None:
         with self._journal.transaction():
             for change in changes:
                 change()
-        return bool(jobs)
+
+    def _put_aside(self, job_id: int, fault: str) -> None:
+        advice = "report it; `paintlink jobs retry` tries it again"
+        self._journal.fail(job_id, f"{fault}; {advice}")
 
     def _changes(self, job: Job) -> Iterator[Change]:
         """What is to be stored for a job, in this order."""
@@ -145,4 +161,4 @@ class Line:
 
     def _fail(self, job: Job, error: InputError) -> None:
         log.warning("%s failed: %s", job.token, error)
-        self._journal.fail(job, str(error))
+        self._journal.fail(job.id, str(error))

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import hashlib
 import logging
 from collections.abc import Sequence
 
 from paintlink.config import TemplateSettings
+from paintlink.daemon.folder_worker import FolderWorker
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.orders import StoredOrder, resolved
 from paintlink.daemon.records import Job
-from paintlink.errors import InputError
-from paintlink.intake import Inbox, Order, read_order
+from paintlink.intake import Claim, Inbox, Order, read_order
 
 log = logging.getLogger(__name__)
 
@@ -30,36 +29,22 @@ def label_facts(job: Job, order: StoredOrder | None) -> dict[str, object]:
     }
 
 
-class OrderWorker:
-    """Takes order files from their folder, each once."""
+class OrderWorker(FolderWorker):
+    """Takes order files; the same order twice is one."""
 
     def __init__(
         self, journal: Journal, inbox: Inbox, templates: Sequence[TemplateSettings]
     ) -> None:
-        self._journal = journal
-        self._inbox = inbox
+        super().__init__(inbox)
+        self._orders = journal.orders
         self._templates = templates
 
-    def step(self) -> bool:
-        """Take one file; False when none is ready."""
-        try:
-            claim = self._inbox.claim()
-        except InputError as error:
-            log.debug("jobs: %s", error)
-            return False
-        if claim is None:
-            return False
-        try:
-            data = self._inbox.read(claim.path)
-            order = read_order(data, source=claim.path.name)
-            digest = hashlib.sha256(data).hexdigest()
-            template = resolved(order, self._templates)
-            token = self._journal.orders.accept(order, template, digest)
-        except InputError as error:
-            if not self._inbox.postpone(claim.path):
-                log.warning("jobs: %s", error)
-                self._inbox.finish(claim.path, "failed", str(error))
-            return True
+    def _known(self, digest: str) -> None:
+        del digest  # the journal gives the first order again
+
+    def _store(self, claim: Claim, data: bytes, digest: str) -> str:
+        order = read_order(data, source=claim.path.name)
+        template = resolved(order, self._templates)
+        token = self._orders.accept(order, template, digest)
         log.info("%s order for %s", token, order.sample)
-        self._inbox.finish(claim.path, "done")
-        return True
+        return ""

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import logging
+from functools import partial
 from pathlib import Path
 
 from paintlink.config import PreviewSettings
+from paintlink.daemon.faults import put_aside
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.records import Job, Preview
 from paintlink.errors import PreviewError
@@ -29,13 +31,16 @@ class Render:
         job = self._journal.waiting_preview()
         if job is None:
             return False
-        try:
-            preview = self._draw(job)
-        except (PreviewError, OSError) as error:
-            log.warning("%s no picture: %s", job.token, error)
-            preview = Preview(job.id, "failed", note=str(error))
-        self._journal.set_preview(preview)
+        with put_aside(f"{job.token} no picture", partial(self._refuse, job)):
+            try:
+                self._journal.set_preview(self._draw(job))
+            except (PreviewError, OSError) as error:
+                log.warning("%s no picture: %s", job.token, error)
+                self._refuse(job, str(error))
         return True
+
+    def _refuse(self, job: Job, why: str) -> None:
+        self._journal.set_preview(Preview(job.id, "failed", note=why))
 
     def _draw(self, job: Job) -> Preview:
         if job.spec is None:

@@ -222,7 +222,7 @@ def test_resend_to_unknown_route_is_refused(journal: Journal) -> None:
 
 def test_retry_brings_failed_job_back(journal: Journal) -> None:
     token = journal.accept_reading(make_reading(), source="bench")
-    journal.fail(the_job(journal, token), "no 45 degree illumination")
+    journal.fail(the_job(journal, token).id, "no 45 degree illumination")
 
     journal.retry(the_job(journal, token))
 
@@ -232,7 +232,7 @@ def test_retry_brings_failed_job_back(journal: Journal) -> None:
 
 def test_history_tells_everything_in_order(journal: Journal) -> None:
     job = matched_job(journal)
-    journal.fail(job, "broken")
+    journal.fail(job.id, "broken")
 
     kinds = [event.kind for event in journal.events(job)]
 
@@ -284,7 +284,7 @@ def test_unmistakable_beginning_of_token_finds_job(journal: Journal) -> None:
 def test_failed_transaction_leaves_nothing_behind(journal: Journal) -> None:
     journal.accept_file("a.xml", "same hash", make_spec())
 
-    with pytest.raises(JournalError, match="refused to store"):
+    with pytest.raises(sqlite3.IntegrityError):  # a bug, and not the disk's fault
         journal.accept_file("b.xml", "same hash", make_spec())
 
     assert len(journal.jobs()) == 1

@@ -176,7 +176,7 @@ def test_journal_of_the_first_version_is_carried_over(tmp_path: Path) -> None:
     with Journal(path) as journal:
         job = journal.job("abc")
         assert job is not None
-        journal.fail(job, "again")
+        journal.fail(job.id, "again")
 
         assert [one.kind for one in journal.events(job)] == ["done", "failed"]
         assert journal._db.one("PRAGMA foreign_key_check") is None

@@ -71,7 +71,7 @@ def worker(journal: Journal, listener: Listener, **changes: object) -> SinkWorke
     made = SinkWorker(journal, sink, Clock())
     journal.accept_file("a.xml", "hash", make_spec())
     (job,) = journal.jobs()
-    journal.fail(job, "no paint")
+    journal.fail(job.id, "no paint")
     return made
 
 

@@ -104,7 +104,7 @@ def test_second_same_answer_is_a_duplicate(shop: LoopShop) -> None:
 
     assert shop.states(job) == ["open"]
     (reason,) = (shop.folder / "duplicate" / "answers").glob("*.reason.txt")
-    assert "taken before as" in reason.read_text()
+    assert "accepted before as" in reason.read_text()
 
 
 def failed_reason(shop: LoopShop, data: bytes) -> str:
