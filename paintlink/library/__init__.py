@@ -19,8 +19,7 @@ if TYPE_CHECKING:
     )
     from paintlink.library.renotation import munsell
     from paintlink.library.shelf import MUNSELL, VIRTUAL, Entry, Shelf
-    from paintlink.library.store import bundled
-    from paintlink.library.virtual import Book, Ingredient, book
+    from paintlink.library.virtual import Book, Ingredient, book, bundled
 
 __all__ = [
     "INDEX_NAMES",
@@ -66,7 +65,7 @@ _HOMES = {
     "Shelf": "shelf",
     "Statistics": "measures",
     "book": "virtual",
-    "bundled": "store",
+    "bundled": "virtual",
     "facet_of": "facets",
     "find": "lookup",
     "histogram": "histograms",

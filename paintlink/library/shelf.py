@@ -12,8 +12,8 @@ from paintlink.library.editing import Editor
 from paintlink.library.generations import Generation
 from paintlink.library.renotation import munsell
 from paintlink.library.rows import Conditions
-from paintlink.library.store import bundled
 from paintlink.library.stored import StoredLibraries
+from paintlink.library.virtual import bundled
 from paintlink.model import PaintTable
 
 VIRTUAL, MUNSELL = "virtual", "munsell"

@@ -7,8 +7,6 @@ import io
 import zipfile
 import zlib
 from collections.abc import Iterable
-from dataclasses import replace
-from functools import cache
 from pathlib import Path
 from typing import Any, cast
 
@@ -41,18 +39,6 @@ UNREADABLE = (
     zipfile.BadZipFile,
     zlib.error,
 )
-
-
-@cache
-def bundled() -> PaintTable:
-    """The library that comes with paintlink: 6000 virtual paints, invented.
-
-    It is not data of any paint maker, and says so in its name and in ``synthetic``.
-    Formulas and spectra: `paintlink.library.virtual`.
-    """
-    from paintlink.library.virtual import FACETS  # which reads this very table
-
-    return replace(load(BUNDLED), facets=FACETS)
 
 
 def load(path: Path) -> PaintTable:

@@ -6,6 +6,7 @@ spectra, textures and groups are read when they are first asked for.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -13,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from paintlink.library.facets import LazyFacets
-from paintlink.library.store import BUNDLED, bundled, columns
+from paintlink.library.store import BUNDLED, columns, load
 from paintlink.model import FloatArray, PaintTable, Spectrum, Texture
 
 ANGLES_DEG = (-15.0, 15.0, 25.0, 45.0, 75.0, 110.0)
@@ -23,6 +24,15 @@ ROOT_SCALE = 27_000.0
 light, so that one step is as visible in black as in white."""
 
 PRIME = "prime"
+
+
+@cache
+def bundled() -> PaintTable:
+    """The library that comes with paintlink: 6000 virtual paints, invented.
+
+    It is not data of any paint maker, and says so in its name and in ``synthetic``.
+    """
+    return replace(load(BUNDLED), facets=FACETS)
 
 
 class Ingredient(NamedTuple):

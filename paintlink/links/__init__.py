@@ -1,6 +1,6 @@
 """The only place that opens ports: serial lines, USB, discovery, captured sessions."""
 
-from paintlink.links.addresses import Kind, kind_of, open_link
+from paintlink.links.addresses import Kind, kind_of
 from paintlink.links.capture import (
     Call,
     Capture,
@@ -9,6 +9,7 @@ from paintlink.links.capture import (
     Verb,
     read_capture,
 )
+from paintlink.links.dial import open_link
 from paintlink.links.hotplug import Hotplug, matches
 from paintlink.links.ports import PortInfo, candidates, is_simulated_path
 from paintlink.links.replay import Outcome, ReplayStream, replay

@@ -1,4 +1,4 @@
-"""Addresses of instruments, and one way to open all of them."""
+"""Addresses of instruments, and what they say."""
 
 from __future__ import annotations
 
@@ -6,9 +6,8 @@ import re
 from typing import Literal
 
 from paintlink.errors import LinkError
-from paintlink.instrument import ByteStream, SerialSettings, UsbSettings, quoted
+from paintlink.instrument import quoted
 from paintlink.links.advice import FORMS
-from paintlink.links.stream import open_serial
 
 Kind = Literal["device", "network", "usb", "usbip"]
 
@@ -56,42 +55,6 @@ def parse_usbip(address: str) -> tuple[str, int, str]:
     if match is None:
         raise _refused(address, "usb+ip://host:3240/1-1")
     return match[1].strip("[]"), int(match[2] or USBIP_PORT), match[3]
-
-
-def open_link(
-    address: str, serial: SerialSettings, usb: UsbSettings | None = None
-) -> ByteStream:
-    """Return an open connection with nothing left in its input.
-
-    Parameters
-    ----------
-    address
-        A device path, ``socket://host:port``, ``rfc2217://host:port``,
-        ``usb://VID:PID/SERIAL`` or ``usb+ip://host:port/busid``.
-    serial
-        How a serial line is set.
-    usb
-        How the instrument is reached on USB; None when it has a serial line only.
-
-    Raises
-    ------
-    LinkError
-        With the next step for the operator.
-    """
-    kind = kind_of(address)
-    if kind in {"device", "network"}:
-        return open_serial(address, serial)
-    if usb is None:
-        msg = (
-            f"{address}: this instrument has a serial line, not a USB protocol of its "
-            "own: give the serial port it appears as, such as /dev/ttyUSB0"
-        )
-        raise LinkError(msg)
-    # pyusb is wanted by few and loads a library of the system.
-    from paintlink.links.usb_stream import open_usb
-    from paintlink.links.usbip_backend import open_usbip
-
-    return (open_usb if kind == "usb" else open_usbip)(address, usb)
 
 
 def _refused(address: str, form: str) -> LinkError:
