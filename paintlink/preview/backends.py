@@ -61,10 +61,11 @@ def _whole(
     picture, flags = [], np.zeros(4, dtype=np.intp)
     for rows in scene.bands():
         prepared = band(scene, rows)
-        colours = draw_band(prepared, inks)
+        *codes, shown = draw_band(prepared, inks)
         drawn = prepared.plain.copy()
-        drawn.reshape(-1, 3)[prepared.pixels] = colours[:, :3]
-        flags += np.bincount(colours[:, 3], minlength=4)
+        for plane, code in zip(drawn.reshape(-1, 3).T, codes, strict=True):
+            plane[prepared.pixels] = code
+        flags += np.bincount(shown, minlength=4)
         picture.append(drawn)
     return picture[0] if len(picture) == 1 else np.concatenate(picture), flags
 

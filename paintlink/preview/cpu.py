@@ -22,7 +22,7 @@ GREY = LUMINANCE.astype(np.float32)
 
 
 def draw(band: Band, inks: Float32Array) -> NDArray[np.uint8]:
-    """Encoded colour of the covered pixels, and whether sRGB can show it, (n, 4).
+    """Encoded colour of the covered pixels, and whether sRGB can show it, (4, n).
 
     Parameters
     ----------
@@ -34,12 +34,12 @@ def draw(band: Band, inks: Float32Array) -> NDArray[np.uint8]:
     Red, green, blue, and 0 or the sum of ``TOO_CHROMATIC`` and ``TOO_BRIGHT``.
     """
     count = len(band.pixels)
-    drawn = np.empty((count, 4), dtype=np.uint8)
+    drawn = np.empty((4, count), dtype=np.uint8)
     for start in range(0, count, PIXELS_AT_ONCE):
         some = slice(start, start + PIXELS_AT_ONCE)
         seen = radiance(band, inks, some)
-        drawn[some, 3] = into_gamut(seen)
-        drawn[some, :3] = encoded(seen, band.dither[some]).T
+        drawn[3, some] = into_gamut(seen)
+        drawn[:3, some] = encoded(seen, band.dither[some])
     return drawn
 
 

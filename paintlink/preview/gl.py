@@ -30,7 +30,7 @@ def prepare() -> None:
 
 
 def draw(band: Band, inks: Float32Array) -> NDArray[np.uint8]:
-    """Encoded pixels of a band, shape (n, 4); see `cpu.draw`.
+    """Encoded pixels of a band, shape (4, n); see `cpu.draw`.
 
     Raises
     ------

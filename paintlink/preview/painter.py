@@ -12,21 +12,20 @@ from numpy.typing import NDArray
 from paintlink.errors import PreviewError
 from paintlink.preview import cpu
 from paintlink.preview.arrays import Float32Array
-from paintlink.preview.layout import MOST
+from paintlink.preview.basis import TERMS
 from paintlink.preview.probe import require_context
 from paintlink.preview.scene import Band
-from paintlink.preview.shader import FRAGMENT, MAX_LAYERS, VERTEX
+from paintlink.preview.shader import FRAGMENT, HEADER, VERTEX, Shape
 
 GLSL = 330
 KEPT = 4
-INKS_BYTES = MOST * MAX_LAYERS * 3 * 4 * 4
 TRIAL = 256
 COLUMNS = 512
 TOLERANCE = 1
 
 
 class Painter:
-    """A context, its program, and the textures of the latest bands.
+    """A context, its programs, and the textures of the latest bands.
 
     Raises
     ------
@@ -43,41 +42,42 @@ class Painter:
         # without it moderngl keeps the memory of what was released
         opened.gc_mode = "auto"
         self._context = opened
-        self._program = opened.program(vertex_shader=VERTEX, fragment_shader=FRAGMENT)
-        self._triangle = opened.vertex_array(self._program, [])
+        self.renderer = _renderer(opened.info)
+        self._triangles: dict[Shape, Any] = {}
         self._textures = _Shelf(self._upload)
         self._targets = _Shelf(self._target)
         self._require_agreement()
 
-    @property
-    def renderer(self) -> str:
-        """Name and version of what draws, in its own words."""
-        info = self._context.info
-        return f"{info['GL_RENDERER']}, OpenGL {info['GL_VERSION']}"
-
     def draw(self, band: Band, inks: Float32Array) -> NDArray[np.uint8]:
-        """Encoded pixels of a band as `cpu.draw` gives them, shape (n, 4)."""
-        rows = -(-len(band.pixels) // COLUMNS)
+        """Encoded pixels of a band as `cpu.draw` gives them, shape (4, n)."""
+        count = len(band.pixels)
+        rows = -(-count // COLUMNS)
         if not rows:
-            return np.empty((0, 4), dtype=np.uint8)
+            return np.empty((4, 0), dtype=np.uint8)
+        layers = _used(_layers(inks.transpose(1, 0, 2)))
         target = self._targets.take((COLUMNS, rows))
         self._textures.take(band).use(0)
-        self._program["channels"] = band.channels
-        self._set_inks(inks)
+        triangle = self._triangle(_shape(band, layers))
+        triangle.program["inks"].write(layers.transpose(2, 0, 3, 1).tobytes())
         target.use()
-        self._triangle.render(vertices=3)
+        triangle.render(vertices=3)
         pixels = target.read(components=4, alignment=1)
-        return np.frombuffer(pixels, np.uint8).reshape(-1, 4)[: len(band.pixels)]
+        return np.frombuffer(pixels, np.uint8).reshape(-1, 4)[:count].T
 
-    def _set_inks(self, inks: Float32Array) -> None:
-        layers = _fours(inks.transpose(1, 0, 2))
-        data = layers.transpose(2, 0, 3, 1).tobytes()
-        self._program["inks"].write(data.ljust(INKS_BYTES, b"\0"))
-        self._program["layers"] = len(layers)
+    def _triangle(self, shape: Shape) -> Any:
+        """What covers the target, with the program of this shape."""
+        if shape not in self._triangles:
+            fragment = HEADER.format(**shape._asdict()) + FRAGMENT
+            program = self._context.program(
+                vertex_shader=VERTEX, fragment_shader=fragment
+            )
+            self._triangles[shape] = self._context.vertex_array(program, [])
+        return self._triangles[shape]
 
     def _upload(self, band: Band) -> Any:
         frame = np.stack([band.cover, band.behind, band.dither, band.part])
-        layers = np.concatenate([_fours(part) for part in (*band.light, frame)])
+        light = [_layers(channel) for channel in band.light]
+        layers = np.concatenate([*light, frame[np.newaxis]])
         rows = -(-len(band.pixels) // COLUMNS)
         texels = np.zeros((len(layers), rows * COLUMNS, 4), dtype=np.float32)
         texels[:, : len(band.pixels)] = layers.transpose(0, 2, 1)
@@ -112,11 +112,30 @@ class _Shelf:
         return self._kept[key]
 
 
-def _fours(planes: Float32Array) -> Float32Array:
-    """Planes in layers of four, the last one filled up with zeros: (layers, 4, ...)."""
-    missing = -len(planes) % 4
-    filler = np.zeros((missing, *planes.shape[1:]), dtype=planes.dtype)
-    return np.concatenate([planes, filler]).reshape(-1, 4, *planes.shape[1:])
+def _renderer(info: dict[str, Any]) -> str:
+    """Name and version of what draws, in its own words."""
+    return f"{info['GL_RENDERER']}, OpenGL {info['GL_VERSION']}"
+
+
+def _layers(terms: Float32Array) -> Float32Array:
+    """Terms in layers of four, the last filled up with zeros: (layers, 4, ...).
+
+    The coats come first, so that the term for −15, which few paints have, is last.
+    """
+    turned = np.roll(terms, len(terms) - TERMS, axis=0)
+    filler = np.zeros((-len(terms) % 4, *terms.shape[1:]), dtype=terms.dtype)
+    return np.concatenate([turned, filler]).reshape(-1, 4, *terms.shape[1:])
+
+
+def _used(layers: Float32Array) -> Float32Array:
+    """The layers without those at the end that add nothing; at least one."""
+    adding = np.flatnonzero(layers.any(axis=(1, 2, 3)))
+    return layers[: adding[-1] + 1 if len(adding) else 1]
+
+
+def _shape(band: Band, used: Float32Array) -> Shape:
+    layers, _, paints, _ = used.shape
+    return Shape(band.channels, -(-band.terms // 4), layers, paints)
 
 
 def _trial() -> tuple[Band, Float32Array]:

@@ -2,12 +2,29 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from paintlink.color.display import LUMINANCE, SHOULDER_FROM
 from paintlink.preview.cpu import TOLERANCE, TOO_BRIGHT, TOO_CHROMATIC
-from paintlink.preview.layout import MOST
 
-MAX_LAYERS = 5
-"""Four terms each: sixteen of the base and up to four coats."""
+
+class Shape(NamedTuple):
+    """What a program is compiled for: a driver is twice as fast with fixed loops.
+
+    Parameters
+    ----------
+    channels
+        1 in neutral light, else 3.
+    held, used
+        Layers of four terms a channel has in the texture, and how many of them the
+        paints need.
+    """
+
+    channels: int
+    held: int
+    used: int
+    paints: int
+
 
 VERTEX = """
 #version 330
@@ -17,12 +34,17 @@ void main() {
 }
 """
 
-FRAGMENT = f"""
+HEADER = """
 #version 330
+const int CHANNELS = {channels};
+const int HELD = {held};
+const int USED = {used};
+const int PAINTS = {paints};
+"""
+
+FRAGMENT = f"""
 uniform sampler2DArray planes;
-uniform vec4 inks[{3 * MOST * MAX_LAYERS}];
-uniform int layers;
-uniform int channels;
+uniform vec4 inks[3 * PAINTS * USED];
 out vec4 encoded;
 
 const vec3 LUMINANCE = vec3({", ".join(map(str, LUMINANCE))});
@@ -35,12 +57,12 @@ vec4 plane(int layer) {{
 }}
 
 vec3 paint(int part) {{
-    int first = 3 * layers * part;
+    int first = PAINTS == 1 ? 0 : 3 * USED * part;
     vec3 sum = vec3(0.0);
-    for (int layer = 0; layer < layers; ++layer) {{
+    for (int layer = 0; layer < USED; ++layer) {{
         vec4 red = plane(layer);
-        vec4 green = channels == 1 ? red : plane(layers + layer);
-        vec4 blue = channels == 1 ? red : plane(2 * layers + layer);
+        vec4 green = CHANNELS == 1 ? red : plane(HELD + layer);
+        vec4 blue = CHANNELS == 1 ? red : plane(2 * HELD + layer);
         int ink = first + 3 * layer;
         sum += vec3(
             dot(red, inks[ink]), dot(green, inks[ink + 1]), dot(blue, inks[ink + 2])
@@ -69,7 +91,7 @@ vec3 encode(vec3 linear) {{
 }}
 
 void main() {{
-    vec4 frame = plane(channels * layers);
+    vec4 frame = plane(CHANNELS * HELD);
     vec3 seen = mix(vec3(frame.g), paint(int(frame.a)), frame.r);
     float lowest = min(seen.r, min(seen.g, seen.b));
     vec3 kept = desaturated(seen, lowest);
