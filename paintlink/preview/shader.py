@@ -56,19 +56,18 @@ vec4 plane(int layer) {{
     return texelFetch(planes, ivec3(gl_FragCoord.xy, layer), 0);
 }}
 
-vec3 paint(int part) {{
-    int first = PAINTS == 1 ? 0 : 3 * USED * part;
-    vec3 sum = vec3(0.0);
+float weighed(int channel, int first) {{
+    float sum = 0.0;
     for (int layer = 0; layer < USED; ++layer) {{
-        vec4 red = plane(layer);
-        vec4 green = CHANNELS == 1 ? red : plane(HELD + layer);
-        vec4 blue = CHANNELS == 1 ? red : plane(2 * HELD + layer);
-        int ink = first + 3 * layer;
-        sum += vec3(
-            dot(red, inks[ink]), dot(green, inks[ink + 1]), dot(blue, inks[ink + 2])
-        );
+        int from = CHANNELS == 1 ? layer : channel * HELD + layer;
+        sum += dot(plane(from), inks[first + 3 * layer + channel]);
     }}
     return sum;
+}}
+
+vec3 paint(int part) {{
+    int first = PAINTS == 1 ? 0 : 3 * USED * part;
+    return vec3(weighed(0, first), weighed(1, first), weighed(2, first));
 }}
 
 vec3 desaturated(vec3 rgb, float lowest) {{
