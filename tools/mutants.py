@@ -13,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -22,13 +23,21 @@ COPIED = ("paintlink", "drivers", "simulators", "tests", "pyproject.toml", "syst
 
 
 class Mutant(NamedTuple):
-    """One mistake: where it is made, what becomes what, and who should notice."""
+    """One mistake: where it is made, what becomes what, and who should notice.
+
+    What stands there more than once is changed everywhere.
+    """
 
     name: str
     file: str
     old: str
     new: str
     tests: tuple[str, ...]
+
+
+def _moved_up(line: str, before: str) -> tuple[str, str]:
+    """What stands there, and the same with its last line first."""
+    return before + line, line + before
 
 
 MUTANTS = (
@@ -42,9 +51,8 @@ MUTANTS = (
     Mutant(
         "drop the directory fsync",
         "paintlink/export/delivery.py",
-        "            rename_noreplace(token, staging_fd, name, folder_fd)\n"
-        "        os.fsync(folder_fd)\n",
-        "            rename_noreplace(token, staging_fd, name, folder_fd)\n",
+        "        os.fsync(folder_fd)\n        os.fsync(staging_fd)\n    return",
+        "        os.fsync(staging_fd)\n    return",
         ("tests/export/test_kills.py::test_everything_is_synced_before_the_next_step",),
     ),
     Mutant(
@@ -57,12 +65,11 @@ MUTANTS = (
     Mutant(
         "mark before rename",
         "paintlink/daemon/deliverer.py",
-        '        if state == "staged":\n'
-        "            publish(folder, token, delivery.name)\n"
-        '        self._journal.deliveries.settle(delivery, "written", delivery.name)\n',
-        '        self._journal.deliveries.settle(delivery, "written", delivery.name)\n'
-        '        if state == "staged":\n'
-        "            publish(folder, token, delivery.name)\n",
+        "        refused = publish_many(",
+        "        with self._journal.transaction():\n"
+        "            for delivery in staged.values():\n"
+        "                self._written(delivery)\n"
+        "        refused = publish_many(",
         (
             "tests/proofs/test_kills.py::test_some_kills_lose_and_double_nothing",
             "tests/proofs/test_errors.py::test_some_errors_of_the_folder_lose_nothing",
@@ -71,19 +78,23 @@ MUTANTS = (
     Mutant(
         "acknowledge before commit",
         "paintlink/daemon/instruments.py",
-        "        token = self._journal.accept_reading(",
-        "        self._wake_line()\n        token = self._journal.accept_reading(",
+        *_moved_up(
+            "        self._wake_line()\n",
+            "        token = self._journal.accept_reading("
+            "reading, source=self._settings.name)\n"
+            '        log.info("%s %s stored", token, reading.sample)\n'
+            "        self._refusals = 0\n"
+            "        self._left = None if self._left is None else self._left - 1\n",
+        ),
         ("tests/daemon/test_acknowledge.py",),
     ),
     Mutant(
         "write in place",
         "paintlink/export/delivery.py",
-        "            rename_noreplace(token, staging_fd, name, folder_fd)\n",
-        "            fd = os.open(token, os.O_RDONLY, dir_fd=staging_fd)\n"
-        "            data = os.read(fd, 1 << 20)\n"
-        "            os.close(fd)\n"
-        "            _write_new(name, folder_fd, data, None)\n"
-        "            _remove(token, staging_fd)\n",
+        "rename_noreplace(token, staging_fd, name, folder_fd)",
+        "(_write_new(name, folder_fd, "
+        "Path(f'/proc/self/fd/{staging_fd}/{token}').read_bytes(), None), "
+        "_remove(token, staging_fd))",
         ("tests/export/test_kills.py", "tests/proofs/test_kills.py"),
     ),
     Mutant(
@@ -100,16 +111,27 @@ MUTANTS = (
         "",
         ("tests/daemon/test_worker.py",),
     ),
+    Mutant(
+        "blame a job for the journal",
+        "paintlink/daemon/faults.py",
+        "OF_NO_JOB = (JournalError, OSError, MemoryError)",
+        "OF_NO_JOB = (OSError, MemoryError)",
+        ("tests/daemon/test_faults.py",),
+    ),
 )
 
 
 def main(wanted: set[int]) -> int:
     """Make each mistake and print who noticed; the exit code."""
+    chosen = [
+        (number, mutant)
+        for number, mutant in enumerate(MUTANTS, 1)
+        if not wanted or number in wanted
+    ]
     unnoticed = 0
     with tempfile.TemporaryDirectory(prefix="paintlink-mutants-") as name:
-        for number, mutant in enumerate(MUTANTS, 1):
-            if wanted and number not in wanted:
-                continue
+        _require_passing(Path(name) / "as it is", [one for _, one in chosen])
+        for number, mutant in chosen:
             caught = _is_noticed(mutant, Path(name) / str(number))
             unnoticed += not caught
             verdict = f"caught by {caught}" if caught else "NOT NOTICED"
@@ -117,8 +139,28 @@ def main(wanted: set[int]) -> int:
     return 1 if unnoticed else 0
 
 
+def _require_passing(copy: Path, mutants: Sequence[Mutant]) -> None:
+    """Refuse to go on when a test fails without any mistake: it would prove nothing."""
+    _copy_to(copy)
+    tests = dict.fromkeys(test for one in mutants for test in one.tests)
+    failed = _first_failure(copy, tuple(tests))
+    if failed:
+        raise SystemExit(f"{failed} fails without any mistake: repair that first")
+
+
 def _is_noticed(mutant: Mutant, copy: Path) -> str:
     """Name of the first test that fails; empty when none does."""
+    _copy_to(copy)
+    target = copy / mutant.file
+    text = target.read_text("utf-8")
+    if mutant.old not in text:
+        msg = f"{mutant.file} no longer holds the place of {mutant.name!r}"
+        raise SystemExit(msg)
+    target.write_text(text.replace(mutant.old, mutant.new), "utf-8")
+    return _first_failure(copy, mutant.tests)
+
+
+def _copy_to(copy: Path) -> None:
     copy.mkdir()
     for name in COPIED:
         source = ROOT / name
@@ -127,22 +169,17 @@ def _is_noticed(mutant: Mutant, copy: Path) -> str:
             shutil.copytree(source, copy / name, ignore=ignored)
         elif source.exists():
             shutil.copy(source, copy / name)
-    target = copy / mutant.file
-    text = target.read_text("utf-8")
-    if text.count(mutant.old) != 1:
-        msg = f"{mutant.file} no longer holds the place of {mutant.name!r} once"
-        raise SystemExit(msg)
-    target.write_text(text.replace(mutant.old, mutant.new), "utf-8")
-    return _first_failure(copy, mutant.tests)
 
 
 def _first_failure(copy: Path, tests: tuple[str, ...]) -> str:
+    # A skip that is turned into a failure would look like a mistake that was noticed.
+    kept = {k: v for k, v in os.environ.items() if k != "PAINTLINK_TEST_NO_SKIP"}
     paths = [str(copy), str(copy / "drivers"), str(copy / "simulators")]
     done = subprocess.run(
         [sys.executable, "-m", "pytest", "-q", "-x", "-m", "not proof", "-rfE",
          "-p", "no:cacheprovider", *tests],
         cwd=copy,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
+        env={**kept, "PYTHONPATH": os.pathsep.join(paths)},
         capture_output=True,
         text=True,
         check=False,
