@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -29,10 +28,11 @@ def command(*, folder: Path, once: bool, object_id: str, light: str, size: int) 
     """
     from time import sleep
 
+    from paintlink.intake import read_colours
     from paintlink.preview.hot_folder import HotFolder
 
     draw = partial(_draw, object_id, light, size)
-    hot = HotFolder(folder, _colours, draw)
+    hot = HotFolder(folder, read_colours, draw)
     while True:
         drawn = hot.step()
         if drawn:
@@ -42,18 +42,6 @@ def command(*, folder: Path, once: bool, object_id: str, light: str, size: int) 
             return
         else:
             sleep(PAUSE_S)
-
-
-def _colours(path: Path) -> Sequence[ColorSpec]:
-    from paintlink.errors import InputError
-    from paintlink.intake import read_any
-
-    found = read_any(path)
-    if not found.specs:
-        reasons = "; ".join(item.refused for item in found.items)
-        msg = f"{path.name}: no colour can be drawn: {reasons}"
-        raise InputError(msg)
-    return found.specs
 
 
 def _draw(object_id: str, light: str, size: int, spec: ColorSpec) -> Picture:

@@ -56,6 +56,7 @@ def _own_folders(table: Table) -> Iterator[Fault]:
     own = asdict(InboxFolders.below(site, inbox)) | {
         "answers": site / "answers",
         "jobs": site / "jobs",
+        "previews": site / "previews",
     }
     uses = {folder: name for name, folder in own.items()}
     for index, folder in _texts(table, "route", "folder"):

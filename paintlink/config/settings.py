@@ -67,6 +67,11 @@ class Settings:
         return self.site.folder / "jobs"
 
     @property
+    def drawings_folder(self) -> Path:
+        """Folder where a colour file that is dropped gets its picture beside it."""
+        return self.site.folder / "previews"
+
+    @property
     def answers_folder(self) -> Path:
         """Folder where the formulation software puts its answers."""
         return self.site.folder / "answers"

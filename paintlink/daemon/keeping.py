@@ -67,6 +67,7 @@ def clear_out(keeping: Keeping, keep_days: int, now: datetime) -> bool:
     for picture in pictures:
         try:
             Path(picture).unlink(missing_ok=True)
+            Path(picture).with_suffix(".json").unlink(missing_ok=True)
         except OSError as error:
             log.warning("%s: %s; remove it by hand", picture, error.strerror)
     return bool(pictures)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import logging
 from functools import partial
 from pathlib import Path
@@ -11,7 +12,15 @@ from paintlink.daemon.faults import put_aside
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.records import Job, Preview
 from paintlink.errors import PreviewError
-from paintlink.preview import LEAST_WIDTH, render, to_png, with_caption
+from paintlink.model import ColorSpec
+from paintlink.preview import (
+    LEAST_WIDTH,
+    Picture,
+    facts,
+    render,
+    to_png,
+    with_caption,
+)
 
 log = logging.getLogger(__name__)
 
@@ -45,21 +54,34 @@ class Render:
     def _draw(self, job: Job) -> Preview:
         if job.spec is None:
             return Preview(job.id, "failed", note="the job has no specification")
-        picture = render(
-            [job.spec],
-            object=self._settings.object,
-            light=self._settings.light,
-            size=self._settings.size,
-            backend=self._settings.backend,
-            cache_dir=self._folder / "baked",
-        )
-        if self._settings.caption and self._settings.size >= LEAST_WIDTH:
-            picture = with_caption(picture)
+        picture = picture_of(job.spec, self._settings, self._folder)
         path = self._folder / f"{job.token}.png"
         write_whole(path, to_png(picture))
+        words = json.dumps(facts(picture), indent=2, ensure_ascii=False)
+        write_whole(path.with_suffix(".json"), f"{words}\n".encode())
         return Preview(
             job.id, "done", str(path), f"{picture.backend}: {picture.reason}"
         )
+
+
+def picture_of(spec: ColorSpec, settings: PreviewSettings, folder: Path) -> Picture:
+    """The picture of a colour as the settings want it.
+
+    Parameters
+    ----------
+    folder
+        Baked light is kept in it.
+    """
+    picture = render(
+        [spec],
+        object=settings.object,
+        light=settings.light,
+        size=settings.size,
+        backend=settings.backend,
+        cache_dir=folder / "baked",
+    )
+    captioned = settings.caption and settings.size >= LEAST_WIDTH
+    return with_caption(picture) if captioned else picture
 
 
 def write_whole(path: Path, data: bytes) -> None:

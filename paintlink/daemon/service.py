@@ -6,10 +6,12 @@ import logging
 import threading
 import time
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 
 from paintlink.config import Settings, SinkSettings
 from paintlink.daemon.database import utc_now
 from paintlink.daemon.deliverer import Deliverer
+from paintlink.daemon.drawings import Drawings
 from paintlink.daemon.formulation import AnswerWorker
 from paintlink.daemon.hints import Hints, Watcher
 from paintlink.daemon.inbox import InboxWorker
@@ -247,7 +249,21 @@ class Service:
             return Render(journal, self.settings.preview, folder).step
 
         self._render = Worker("render", make_step, stop=self.stopped, idle_s=1.0)
+        if self.settings.preview.enabled:
+            self._workers.append(self._make_drawings())
         return self._render
+
+    def _make_drawings(self) -> Worker:
+        worker = Worker(
+            "previews",
+            lambda: Drawings(self.settings).step,
+            stop=self.stopped,
+            idle_s=1.0,
+        )
+        with suppress(OSError):  # it is made later, and looked into until then
+            self.settings.drawings_folder.mkdir(parents=True, exist_ok=True)
+        self._hints.watch(self.settings.drawings_folder, worker.wake)
+        return worker
 
     def _make_keeping(self) -> Worker:
         days = self.settings.state.keep_days

@@ -13,7 +13,7 @@ from paintlink.intake.mounts import Mount, mount_of
 from paintlink.intake.order_file import Order, read_order
 from paintlink.intake.profile import Profile
 from paintlink.intake.profile_file import load_profile, load_profiles
-from paintlink.intake.reading import Import, Item, read_any
+from paintlink.intake.reading import Import, Item, read_any, read_colours
 from paintlink.intake.registry import importer_failures, importers
 from paintlink.intake.safe import BusyFileError
 from paintlink.intake.source import Source, open_source
@@ -46,6 +46,7 @@ __all__ = [
     "open_source",
     "propose",
     "read_any",
+    "read_colours",
     "read_order",
     "require_share",
     "vin_problem",

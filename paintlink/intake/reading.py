@@ -63,6 +63,22 @@ class Import:
         return tuple(item.spec for item in self.items if item.spec is not None)
 
 
+def read_colours(path: Path, options: Options | None = None) -> tuple[ColorSpec, ...]:
+    """The specifications in a file that can be used, at least one.
+
+    Raises
+    ------
+    InputError
+        When there is none; otherwise the errors of `read_any`.
+    """
+    found = read_any(path, options=options)
+    if not found.specs:
+        reasons = "; ".join(item.refused for item in found.items)
+        msg = f"{found.source}: no colour can be drawn: {reasons}"
+        raise InputError(msg)
+    return found.specs
+
+
 def read_any(
     file: Path | bytes,
     *,

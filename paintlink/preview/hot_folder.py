@@ -62,6 +62,7 @@ class HotFolder:
         self._read = read
         self._draw = draw
         self._now = now
+        self._settled: dict[Path, tuple[int, int, int]] = {}
 
     def step(self) -> Drawn | None:
         """What became of the next file; None when none is waiting."""
@@ -77,12 +78,24 @@ class HotFolder:
         if hidden or not path.is_file() or path.is_symlink():
             return ""
         try:
-            if self._now() - path.stat().st_mtime < SETTLED_S:
-                return ""
-            digest = hashlib.sha256(path.read_bytes()).hexdigest()
+            return self._new_content(path)
         except OSError:
             return ""
-        return "" if _known(_beside(path, ".json")) == digest else digest
+
+    def _new_content(self, path: Path) -> str:
+        """Hash of what was not drawn yet; files that stay as they are cost a look."""
+        told = _beside(path, ".json")
+        status = path.stat()
+        stamp = (status.st_mtime_ns, status.st_ctime_ns, status.st_size)
+        settling = self._now() - status.st_mtime < SETTLED_S
+        if settling or (self._settled.get(path) == stamp and told.exists()):
+            return ""
+        with path.open("rb") as file:
+            digest = hashlib.file_digest(file, "sha256").hexdigest()
+        if _known(told) != digest:
+            return digest
+        self._settled[path] = stamp
+        return ""
 
     def _drawn(self, path: Path, digest: str) -> Drawn:
         pictures: list[dict[str, Any]] = []

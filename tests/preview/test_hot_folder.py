@@ -66,6 +66,30 @@ def test_nothing_is_drawn_twice_until_it_changes(
     assert hot.step() is None
 
 
+def test_picture_is_drawn_again_when_its_words_are_removed(
+    hot: HotFolder, tmp_path: Path
+) -> None:
+    drop(tmp_path / "paint.txt", "red")
+    hot.step()
+    assert hot.step() is None
+
+    (tmp_path / "paint.txt.json").unlink()
+
+    assert hot.step() is not None
+
+
+def test_file_that_did_not_change_is_not_read_again(
+    hot: HotFolder, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drop(tmp_path / "paint.txt", "red")
+    hot.step()
+    hot.step()
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "open", None)
+        assert hot.step() is None
+
+
 def test_several_colours_get_several_pictures(hot: HotFolder, tmp_path: Path) -> None:
     drop(tmp_path / "both.txt", "red silver")
 

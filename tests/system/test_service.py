@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -164,8 +165,28 @@ def test_dropped_file_is_delivered_and_drawn(
 
     (job,) = running.jobs()
     assert job.preview is not None
-    assert Path(job.preview.path).read_bytes().startswith(b"\x89PNG")
+    picture = Path(job.preview.path)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    words = json.loads(picture.with_suffix(".json").read_text())
+    assert words["paints"][0]["name"] == "bonnet"
     assert (tmp_path / "done" / "a.xml").exists()
+
+
+def test_file_in_the_preview_folder_gets_its_picture_and_no_job(
+    tmp_path: Path, start: Callable[..., Running]
+) -> None:
+    running = start(settings(tmp_path, {}))
+    folder = tmp_path / "previews"
+    (folder / "a.xml").write_bytes(write_spec(make_spec()))
+    (folder / "b.xml").write_text("no colour")
+
+    assert wait_for(lambda: len(list(folder.glob("*.json"))) == 2)
+
+    told = {path.name: json.loads(path.read_text()) for path in folder.glob("*.json")}
+    assert told["a.xml.json"]["pictures"][0]["file"] == "a.xml.png"
+    assert (folder / "a.xml.png").read_bytes().startswith(b"\x89PNG")
+    assert "b.xml" in told["b.xml.json"]["error"]
+    assert not running.journal.jobs()
 
 
 def test_work_left_over_goes_on_at_next_start(
