@@ -6,11 +6,11 @@ from collections.abc import Collection
 from dataclasses import dataclass, replace
 from typing import Any
 
-import usb.backend.libusb1
 import usb.core
 
 from paintlink.errors import LinkError
 from paintlink.links.advice import FAILURES
+from paintlink.links.libusb_backend import libusb
 from paintlink.links.usb_advice import node_of, problem_of
 
 MAKERS = {
@@ -18,10 +18,6 @@ MAKERS = {
     0x0971: "GretagMacbeth",
     0x085C: "Datacolor",
 }
-NO_LIBUSB = (
-    "USB instruments need libusb, which is not installed: run "
-    "`sudo apt install libusb-1.0-0`"
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,23 +40,6 @@ class UsbInfo:
     description: str
     node: str
     problem: str
-
-
-def libusb() -> object:
-    """Return a fresh back end on libusb.
-
-    It is fresh because a list of devices is frozen at its first use where no udev runs,
-    as in a container.
-
-    Raises
-    ------
-    LinkError
-        When the library is not installed.
-    """
-    found = usb.backend.libusb1.get_backend()
-    if found is None:
-        raise LinkError(NO_LIBUSB)
-    return type(found)(found.lib)
 
 
 def find_device(

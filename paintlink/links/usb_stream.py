@@ -16,8 +16,9 @@ from paintlink.errors import LinkError, LinkTimeoutError
 from paintlink.instrument import UsbSettings
 from paintlink.links.addresses import parse_usb
 from paintlink.links.advice import FAILURES, lost
+from paintlink.links.libusb_backend import libusb
 from paintlink.links.usb_advice import cannot_claim, stalled
-from paintlink.links.usb_devices import find_device, libusb
+from paintlink.links.usb_devices import find_device
 
 _WRITE_TIMEOUT_MS = 2000
 # A buffer below the size of an arriving packet loses the packet.
