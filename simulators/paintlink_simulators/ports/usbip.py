@@ -149,7 +149,6 @@ class _Session:
         self._engine.submit(urb)
 
     def _finished(self, sequence: int, inward: bool, length: int, urb: Urb) -> None:
-        self._urbs.pop(sequence, None)
         status = urb.status or 0
         done = len(urb.received) if inward else length * (status == 0)
         data = bytes(urb.received) if inward else b""
@@ -158,10 +157,15 @@ class _Session:
             + RESULT.pack(status, done, 0, 0, 0)
             + data
         )
+        # Not before: an unlink that no longer finds it is answered after it, or a
+        # kernel takes the request back and then cuts the line over its answer.
+        self._urbs.pop(sequence, None)
 
     def _unlink(self, sequence: int, victim: int) -> None:
-        urb = self._urbs.pop(victim, None)
+        urb = self._urbs.get(victim)
         taken = urb is not None and self._engine.unlink(urb)
+        if taken:
+            self._urbs.pop(victim)
         status = -errno.ECONNRESET if taken else 0
         head = HEADER.pack(RETURN_UNLINK, sequence, 0, 0, 0)
         self._send(head + UNLINKED.pack(status))
