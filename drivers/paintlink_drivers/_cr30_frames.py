@@ -6,7 +6,7 @@ from paintlink.instrument import Link, fixed
 SIZE, PAYLOAD = 60, slice(0, 58)
 TRIGGER = b"\xbb\x01\x00"
 # A repeated request is "not implemented", unless the answer follows on it.
-ECHO_S = 0.5
+ECHO_S = 1.0
 
 
 def exchange(link: Link, head: bytes, timeout_s: float, *others: bytes) -> bytes:

@@ -14,8 +14,7 @@ Tap = Callable[[Direction, bytes], None]
 
 BUFFER_LIMIT = 65536
 LINE_IDLE_S = 0.2
-# The longest single wait: bounds how late a cancellation and a silence are noticed.
-_SLICE_S = 0.05
+SLICE_S = 0.05
 _ROUNDING_S = 1e-6
 
 
@@ -47,6 +46,9 @@ class Link:
         three a session can be replayed.
     cancelled
         Asked at least every 0.1 s while waiting; true ends the wait.
+    slice_s
+        The longest single wait: bounds how late a cancellation and a silence are
+        noticed.
     """
 
     def __init__(
@@ -56,11 +58,13 @@ class Link:
         clock: Callable[[], float],
         tap: Tap = lambda _direction, _data: None,
         cancelled: Callable[[], bool] = lambda: False,
+        slice_s: float = SLICE_S,
     ) -> None:
         self._stream = stream
         self._clock = clock
         self._tap = tap
         self._cancelled = cancelled
+        self._slice_s = slice_s
         self._buffer = bytearray()
 
     def send(self, data: bytes) -> None:
@@ -196,7 +200,7 @@ class Link:
         if self._cancelled():
             msg = "stopped while waiting for the instrument"
             raise CancelledError(msg)
-        data = self._stream.read(min(max(timeout_s, 0.0), _SLICE_S))
+        data = self._stream.read(min(max(timeout_s, 0.0), self._slice_s))
         if data:
             self._tap("received", data)
             self._buffer += data

@@ -10,6 +10,7 @@ stored in the instrument. Never met real hardware.
 
 from __future__ import annotations
 
+import math
 import re
 from collections import deque
 from collections.abc import Iterable, Iterator
@@ -148,7 +149,7 @@ class KmCm512(Instrument):
         full = self._condition == "memory_full"
         replies = [_reply("OK02" if full else "OK00", f"{self._count:05d}")]
         for factors in self._look(ANGLES):
-            spectrum = _reply("OK00", *map(_value, 100.0 * factors))
+            spectrum = _reply("OK00", *map(_value, (100.0 * factors).tolist()))
             replies += [spectrum, b"OK00" + REST.encode("ascii") + END]
         return self._first_of(replies)
 
@@ -175,9 +176,9 @@ class KmCm512(Instrument):
 
 
 def _value(percent: float) -> str:
-    if np.isnan(percent):
+    if math.isnan(percent):
         return "***.**"
-    return f"{np.clip(percent, 0.0, LARGEST):06.2f}"
+    return f"{min(max(percent, 0.0), LARGEST):06.2f}"
 
 
 def _reply(code: str, *fields: str) -> bytes:

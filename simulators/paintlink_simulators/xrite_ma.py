@@ -177,19 +177,15 @@ class XriteMa(Instrument):
         return (text.ljust(SHORTEST_DUMP - len(closing)) + closing).encode("ascii")
 
     def _stored(self, start: int, stop: int) -> bytes:
-        return bytes(
-            self._memory[address - MEMORY_START]
-            if MEMORY_START <= address < MEMORY_START + len(self._memory)
-            else 0
-            for address in range(start, stop)
-        )
+        first, last = (max(one - MEMORY_START, 0) for one in (start, stop))
+        before = bytes(min(max(MEMORY_START - start, 0), stop - start))
+        return (before + self._memory[first:last]).ljust(stop - start, b"\0")
 
     def _grouped(self, data: bytes) -> str:
         size = self._options.grouping or len(data) + 1
-        return "".join(
-            f"{byte:02X} " + " " * (count % size == 0)
-            for count, byte in enumerate(data, start=1)
-        )
+        groups = (data[start : start + size] for start in range(0, len(data), size))
+        text = "".join(f"{group.hex(' ').upper()}  " for group in groups)
+        return text if len(data) % size == 0 else text[:-1]
 
     def _measured(self) -> bytes:
         factors = np.nan_to_num(self._look(self._angles), nan=NO_NUMBER / WHITE)

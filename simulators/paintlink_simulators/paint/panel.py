@@ -71,8 +71,15 @@ class Panel:
         Linear between the angles of the panel, held beyond the outer ones.
         """
         angles = np.asarray(aspecular_deg, dtype=np.float64)
-        bands = [np.interp(angles, self.aspecular_deg, band) for band in self.factors.T]
-        return np.stack(bands, axis=-1)
+        if self.aspecular_deg.size == 1:
+            return np.broadcast_to(
+                self.factors[0], (*angles.shape, WAVELENGTHS_NM.size)
+            )
+        held = np.clip(angles, self.aspecular_deg[0], self.aspecular_deg[-1])
+        below = np.searchsorted(self.aspecular_deg[1:-1], held, side="right")
+        start, end = self.aspecular_deg[below], self.aspecular_deg[below + 1]
+        share = ((held - start) / (end - start))[..., None]
+        return (1.0 - share) * self.factors[below] + share * self.factors[below + 1]
 
 
 def panel_from_lab(aspecular_deg: ArrayLike, lab: ArrayLike, name: str = "") -> Panel:

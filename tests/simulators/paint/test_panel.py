@@ -106,6 +106,21 @@ def test_several_angles_give_several_rows() -> None:
     assert factors[:, 7] == pytest.approx([1.0, 0.6, 0.6])
 
 
+def test_every_angle_is_interpolated_as_numpy_does() -> None:
+    rng = np.random.default_rng(3)
+    for count in range(1, 8):
+        panel = Panel(
+            np.sort(rng.uniform(-45.0, 110.0, count)), rng.uniform(0, 1, (count, 31))
+        )
+        asked = np.append(rng.uniform(-60.0, 130.0, 20), panel.aspecular_deg)
+        bands = [np.interp(asked, panel.aspecular_deg, one) for one in panel.factors.T]
+
+        factors = panel.factors_at(asked.reshape(-1, 1))
+
+        assert factors[:, 0] == pytest.approx(np.array(bands).T, rel=1e-12)
+        assert (panel.factors_at(panel.aspecular_deg) == panel.factors).all()
+
+
 def test_panel_cannot_be_repainted() -> None:
     panel = two_angles()
 
