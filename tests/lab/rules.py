@@ -55,8 +55,9 @@ def _instrument() -> dict[str, str]:
 def _adapter() -> dict[str, str]:
     function = FtdiFunction(_made(xrite_ma), serial="SIMRULES")
     plug = Plug(UsbSocket(function), 0)
+    # udev makes the link under a name that begins with a dot and then renames it.
     link = wait_for(
-        lambda: next(iter(BY_ID.glob("*SIMRULES*")), None), "the by-id link"
+        lambda: next(iter(BY_ID.glob("[!.]*SIMRULES*")), None), "the by-id link"
     )
     seen = {
         "adapter node": _rights(link.resolve()),
