@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cache
+from itertools import groupby
+from operator import itemgetter
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +18,9 @@ from paintlink.model import ColorSpec, FloatArray
 from paintlink.preview import bake, basis, disc, environment, store
 from tests.preview import truth
 
-REAL = Path(__file__).parents[3] / "shared/data/real_paints_5angle.csv"
+DATA = Path(__file__).parents[3] / "shared/data"
+REAL = DATA / "real_paints_5angle.csv"
+CURVES = DATA / "real_paints_curves.csv"
 NORMALS = truth.visible_normals(240, seed=1)
 THREE_ANGLES = [truth.RED, truth.SILVER, truth.PEARL, *truth.effect_paints(20, seed=5)]
 FIVE_ANGLES = [
@@ -37,22 +41,32 @@ def arriving_beyond(light: str) -> FloatArray:
 
 
 def true_colours(light: str, spec: ColorSpec) -> FloatArray:
-    lab = drawing_curve(spec.angles_deg, spec.lab())(truth.BIN_DEG)
+    return true_of(light, spec.angles_deg, spec.lab())
+
+
+def true_of(
+    light: str, angles_deg: Sequence[float], measured: FloatArray
+) -> FloatArray:
+    lab = drawing_curve(angles_deg, measured)(truth.BIN_DEG)
     lab[:, 0] = np.maximum(lab[:, 0], 0)
     seen = truth.seen(arriving(light), truth.rgb_from_lab(lab))
-    if spec.angles_deg[0] == -15:
-        far, near = truth.rgb_from_lab(np.maximum(spec.lab()[:2], [0, -999, -999]))
+    if angles_deg[0] == -15:
+        far, near = truth.rgb_from_lab(np.maximum(measured[:2], [0, -999, -999]))
         seen = seen + arriving_beyond(light) * (far - near) / np.pi
     return seen
 
 
 def drawn_colours(light: str, spec: ColorSpec) -> FloatArray:
+    return drawn_of(light, basis.coefficients([spec])[0])
+
+
+def drawn_of(light: str, paint: FloatArray) -> FloatArray:
     table = store.base_table(environment.load(light), None)
     channels = environment.load(light).channels
     terms = disc.look_up(table, NORMALS.astype(np.float32))
     by_channel = terms.reshape(len(NORMALS), channels, -1)
     spread = np.broadcast_to(by_channel, (len(NORMALS), 3, by_channel.shape[2]))
-    return np.einsum("nck,kc->nc", spread, basis.coefficients([spec])[0])
+    return np.einsum("nck,kc->nc", spread, paint)
 
 
 @pytest.mark.parametrize("light", ["studio", "sky"])
@@ -108,6 +122,30 @@ def _real_paint(row: dict[str, str]) -> ColorSpec:
     angles = (15, 25, 45, 75, 110)
     labs = [[float(row[f"{channel}{angle}"]) for channel in "Lab"] for angle in angles]
     return truth.paint(*labs, angles=angles)
+
+
+@pytest.mark.parametrize("light", ["studio", "sky"])
+@pytest.mark.skipif(not CURVES.exists(), reason="needs ../shared/data")
+def test_real_paints_at_21_angles_are_within_the_goals(light: str) -> None:
+    errors = [
+        truth.difference(
+            true_of(light, angles, lab),
+            drawn_of(light, basis.coefficients_of(angles, [lab])[0]),
+        )
+        for angles, lab in _real_curves()
+    ]
+
+    assert_goals(light, np.array(errors))
+
+
+def _real_curves() -> Iterator[tuple[tuple[float, ...], FloatArray]]:
+    """Angles and Lab of each material, from -15 on."""
+    with CURVES.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    for _, material in groupby(rows, key=itemgetter("material")):
+        lines = [[float(row[key]) for key in ("aspecular", *"Lab")] for row in material]
+        lines.sort()
+        yield tuple(line[0] for line in lines), np.array(lines)[:, 1:]
 
 
 def test_fitting_many_equals_fitting_each() -> None:
