@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterable, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import replace
 from datetime import datetime
-from functools import lru_cache
 from pathlib import Path
 from types import TracebackType
 from typing import Self
@@ -26,15 +25,12 @@ from paintlink.daemon.keeping import Keeping
 from paintlink.daemon.orders import Orders
 from paintlink.daemon.outbox import Outbox
 from paintlink.daemon.records import Event, InstrumentStatus, Job, JobState, Preview
+from paintlink.daemon.specs import restored, stored
 from paintlink.daemon.trail import Trail
 from paintlink.errors import JournalError
 from paintlink.model import ColorSpec, Match, Reading
-from paintlink.spec import read_spec, write_spec
 
 JOB_ORDER = "SELECT * FROM jobs {where} ORDER BY id {order} LIMIT ?"
-
-
-stored_spec = lru_cache(maxsize=64)(read_spec)
 
 
 class Journal:
@@ -154,7 +150,7 @@ class Journal:
             if not keep:
                 self._db.log(job.id, "specified", spec.name)
                 return
-            document = write_spec(spec)
+            document = stored(spec)
             self._db.update("jobs", job.id, spec=document, state="specified")
             self._db.log(job.id, "specified", spec.name, spec_sha256=sha256(document))
 
@@ -166,7 +162,7 @@ class Journal:
         routes: Iterable[tuple[str, str]],
     ) -> None:
         """Keep the ranked list and open one delivery for each (route, folder)."""
-        document = write_spec(spec)
+        document = stored(spec)
         with self._db.transaction():
             self._db.update("jobs", job.id, spec=document, state="matched")
             self._db.run("DELETE FROM matches WHERE job_id = ?", job.id)
@@ -369,7 +365,7 @@ def _head(row: sqlite3.Row) -> Job:
         origin=row["origin"],
         state=row["state"],
         created_at=row["created_at"],
-        spec=stored_spec(row["spec"]) if row["spec"] else None,
+        spec=restored(row["spec"]) if row["spec"] else None,
         document=row["spec"] or b"",
         error=row["error"],
         order_id=row["order_id"],

@@ -20,6 +20,7 @@ from paintlink.daemon.journal import Journal
 from paintlink.daemon.orders import StoredOrder, machine_verdict
 from paintlink.daemon.pipeline import match, open_routes, specify
 from paintlink.daemon.records import Job
+from paintlink.daemon.specs import stored
 from paintlink.errors import InputError, ReadingError
 from paintlink.export import Format
 from paintlink.model import ColorSpec, Match, PaintTable
@@ -133,6 +134,7 @@ class Line:
         if order is not None and order.template.routes:
             routes = [one for one in routes if one.name in order.template.routes]
         folders = [(route.name, str(route.folder)) for route in routes]
+        stored(spec)  # spelled out now, or intake waits for it in the transaction
         yield partial(self._journal.set_matched, job, spec, matches, folders)
         if order is not None:
             yield from self._judged(job, order, matches)

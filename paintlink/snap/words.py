@@ -22,6 +22,12 @@ PURE_WITHIN_DEG = 20.0
 """A red this close to the pure one is never said to get redder, but bluer."""
 
 
+LIGHTNESS = {"dL": ("lighter", "darker")}
+GREY = LIGHTNESS | {"da": ("redder", "greener"), "db": ("yellower", "bluer")}
+CHROMATIC = LIGHTNESS | {"dC": ("more chromatic", "less chromatic"), "dH": ("", "")}
+"""Words for more and less of what painters look at; a hue turns towards a pure one."""
+
+
 def words(differences: Sequence[AngleDifference], paint: FloatArray) -> str:
     """What the target looks like beside the paint.
 
@@ -59,24 +65,19 @@ def _names(angles_deg: Sequence[float]) -> dict[float, str]:
 
 
 def _phrase(difference: AngleDifference, paint: Sequence[float]) -> str:
-    amount, more, less = max(_axes(difference, paint), key=lambda axis: abs(axis[0]))
+    """The largest amount among what painters look at in such a colour, in words."""
+    _, a, b = paint
+    grey = math.hypot(a, b) < CHROMATIC_FROM_C
+    axes = GREY if grey else CHROMATIC
+    axis = max(axes, key=lambda name: abs(getattr(difference, name)))
+    amount = getattr(difference, axis)
     if abs(amount) < VISIBLE:
         return ""
+    if axis == "dH":
+        hue_deg = math.degrees(math.atan2(b, a))
+        return f"{abs(amount):.1f} {_towards(hue_deg, math.copysign(1.0, amount))}"
+    more, less = axes[axis]
     return f"{abs(amount):.1f} {more if amount > 0.0 else less}"
-
-
-def _axes(
-    difference: AngleDifference, paint: Sequence[float]
-) -> list[tuple[float, str, str]]:
-    """What painters look at in such a colour: an amount, its word, the opposite."""
-    _, a, b = paint
-    lightness = (difference.dL, "lighter", "darker")
-    if math.hypot(a, b) < CHROMATIC_FROM_C:
-        red_green = (difference.da, "redder", "greener")
-        return [lightness, red_green, (difference.db, "yellower", "bluer")]
-    hue = math.degrees(math.atan2(b, a))
-    chroma = (difference.dC, "more chromatic", "less chromatic")
-    return [lightness, chroma, (difference.dH, _towards(hue, 1.0), _towards(hue, -1.0))]
 
 
 def _towards(hue_deg: float, turn: float) -> str:

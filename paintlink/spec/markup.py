@@ -7,7 +7,7 @@ of a colour specification is the hash of its bytes.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
 import numpy as np
@@ -35,7 +35,11 @@ Value = str | float | None
 
 def decimal(value: float) -> str:
     """Shortest positional decimal that reads back as the same double."""
-    return np.format_float_positional(float(value) + 0.0, trim="-")
+    number = float(value) + 0.0
+    text = repr(number)
+    if "e" in text:
+        return np.format_float_positional(number, trim="-")
+    return text.removesuffix(".0")
 
 
 class Markup:
@@ -61,6 +65,11 @@ class Markup:
     def leaf(self, tag: str, value: str | float) -> None:
         """Element around one value."""
         self._write(f"<{tag}>{_spelled(tag, value)}</{tag}>")
+
+    def numbers(self, tag: str, values: Iterable[float]) -> None:
+        """Element around each of many numbers."""
+        begin, end = f"{self._indent}<{tag}>", f"</{tag}>"
+        self._lines += [f"{begin}{decimal(value)}{end}" for value in values]
 
     def optional(self, tag: str, text: str) -> None:
         """Element around a text, left out when the text is empty."""

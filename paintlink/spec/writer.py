@@ -90,8 +90,7 @@ def _write_spectrum(markup: Markup, spectrum: Spectrum) -> None:
         start=spectrum.start_nm,
         step=spectrum.step_nm,
     ):
-        for factor in spectrum.factors:
-            markup.leaf("factor", factor)
+        markup.numbers("factor", spectrum.factors)
 
 
 def _write_textures(markup: Markup, textures: tuple[Texture, ...]) -> None:
