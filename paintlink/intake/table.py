@@ -29,11 +29,13 @@ def table_rows(source: Source, delimiter: str) -> Iterator[TableRow]:
     Raises
     ------
     InputError
-        When the quotes do not match, or the table is larger than any export.
+        When the quotes do not match, the table is larger than any export, or it ends
+        within a row.
     """
     reader = csv.reader(
         io.StringIO(source.text, newline=""), delimiter=delimiter, strict=True
     )
+    before = count = 0
     try:
         for cells in reader:
             if reader.line_num > MAX_ROWS or len(cells) > MAX_COLUMNS:
@@ -43,10 +45,21 @@ def table_rows(source: Source, delimiter: str) -> Iterator[TableRow]:
                 )
                 raise source.fault(f"line {reader.line_num}", msg)
             if any(cell.strip() for cell in cells):
+                before, count = count, len(cells)
                 yield TableRow(reader.line_num, cells)
     except csv.Error as error:
         msg = f"damaged table ({error}): export it again"
         raise source.fault(f"line {reader.line_num}", msg) from error
+    if count < before and not has_last_line_end(source):
+        msg = (
+            f"the file ends within this row, after {count} of {before} cells: copy it "
+        )
+        raise source.fault(f"line {reader.line_num}", f"{msg}or export it again")
+
+
+def has_last_line_end(source: Source) -> bool:
+    """Whether the last line is as complete as the others: it ends as they do."""
+    return source.text.endswith(("\n", "\r"))
 
 
 def likely_delimiter(text: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 
@@ -29,6 +29,7 @@ from paintlink.intake.source import Source
 from paintlink.intake.table import (
     HEADING_ROWS,
     TableRow,
+    has_last_line_end,
     likely_delimiter,
     table_rows,
 )
@@ -45,6 +46,9 @@ from paintlink.model import (
 )
 
 INFO = ImporterInfo("csv_table", "Table (CSV) with a mapping profile")
+NO_LAST_LINE_END = (
+    "the last line has no end: check that the file is whole, and its last number"
+)
 
 
 def sniff(source: Source) -> Certainty:
@@ -59,22 +63,23 @@ def read(source: Source, options: Options) -> Contents:
     profile, heading, rows = _mapped(source, (*options.profiles, *built_in()))
     cells = Cells(source, profile, heading)
     table = _Table(source, profile, options)
-    for group in _groups(profile, [cells.read(row) for row in rows]):
+    for group in _groups(profile, map(cells.read, rows)):
         table.add(group)
     notes = [source.decoded.note] if source.decoded.note else []
+    if not has_last_line_end(source):
+        notes.append(NO_LAST_LINE_END)
     return Contents(tuple(table.colours), notes=(*notes, *cells.notes, *table.notes))
 
 
 def _mapped(
     source: Source, profiles: Sequence[Profile]
-) -> tuple[Profile, TableRow, list[TableRow]]:
+) -> tuple[Profile, TableRow, Iterator[TableRow]]:
     """The first profile that fits a row of headings, that row, and the rows below."""
     for profile in profiles:
         above: list[TableRow] = []
         for row in table_rows(source, profile.delimiter):
             if profile.fits(row.cells):
-                rows = table_rows(source, profile.delimiter)
-                return profile, row, [one for one in rows if one.line > row.line]
+                return profile, row, _below(source, profile, row)
             above.append(row)
             if len(above) >= HEADING_ROWS:
                 break
@@ -83,6 +88,12 @@ def _mapped(
         f"FILE --make-profile -o shop.toml`{_nearest(source, profiles)}"
     )
     raise source.fault("", msg)
+
+
+def _below(source: Source, profile: Profile, heading: TableRow) -> Iterator[TableRow]:
+    """The rows below the headings, one after the other: a table may be large."""
+    rows = table_rows(source, profile.delimiter)
+    return (row for row in rows if row.line > heading.line)
 
 
 def _nearest(source: Source, profiles: Sequence[Profile]) -> str:
@@ -107,7 +118,7 @@ def _first_rows(source: Source, delimiter: str) -> list[TableRow]:
     return rows
 
 
-def _groups(profile: Profile, rows: list[ReadRow]) -> Iterator[list[ReadRow]]:
+def _groups(profile: Profile, rows: Iterable[ReadRow]) -> Iterator[list[ReadRow]]:
     """Rows of one reading: one, or the angles that follow each other under one name.
 
     The first angle of a reading, met again, begins the next reading of that name.
