@@ -42,9 +42,7 @@ def told(found: Import) -> bool:
 def test_table_that_ends_within_a_row_is_refused() -> None:
     data = document("csv_table")[:-20]
 
-    with pytest.raises(
-        InputError, match="ends within this row, after 16 of 26 cells"
-    ):
+    with pytest.raises(InputError, match="ends within this row, after 16 of 26 cells"):
         read_any(data, name="shop.csv")
 
 
