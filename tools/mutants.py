@@ -80,6 +80,9 @@ MUTANTS = (
         "paintlink/daemon/instruments.py",
         *_moved_up(
             "        self._wake_line()\n",
+            "        order = self._journal.orders.next_for(self._settings.name)\n"
+            "        if order is not None:\n"
+            "            reading = replace(reading, sample=order.order.sample)\n"
             "        token = self._journal.accept_reading("
             "reading, source=self._settings.name)\n"
             '        log.info("%s %s stored", token, reading.sample)\n'

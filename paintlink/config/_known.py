@@ -27,12 +27,25 @@ def check_against(
     snap, preview = settings.snap, settings.preview
     instruments = enumerate(settings.instruments)
     routes = enumerate(settings.routes)
+    chosen = [
+        (block("template", i, a.name), a) for i, a in enumerate(settings.templates)
+    ]
     names = [
         *(
             (block("instrument", i, a.name), "driver", a.driver, drivers)
             for i, a in instruments
         ),
         *((block("route", i, a.name), "format", a.format, formats) for i, a in routes),
+        *(
+            (head, "routes", name, {one.name for one in settings.routes})
+            for head, a in chosen
+            for name in a.routes
+        ),
+        *(
+            (head, "instruments", name, {one.name for one in settings.instruments})
+            for head, a in chosen
+            for name in a.instruments
+        ),
         ("[snap]", "formula", snap.formula, formulas),
         ("[preview]", "object", preview.object, objects),
         ("[preview]", "light", preview.light, lights),

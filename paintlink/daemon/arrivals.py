@@ -114,7 +114,7 @@ class Arrivals:
         )
         xml = write_spec(spec) if spec else None
         state: JobState = "specified" if xml else "received"
-        order = None if xml else self._orders.open_for(reading.sample)
+        order = None if xml else self._orders.open_for(reading.sample, source)
         job_id, token = self._begun(order) or self._add_job(
             key,
             state,

@@ -178,7 +178,9 @@ class InstrumentWorker(threading.Thread):
             self._wait_for_calibration(session, due.text)
             return
         sample = self._name_sample(self._settings.name)
-        warning = f" ({due.text})" if due else ""
+        order = self._journal.orders.next_for(self._settings.name)
+        wanted = f" For the order {order.order.sample!r}." if order else ""
+        warning = wanted + (f" ({due.text})" if due else "")
         try:
             reading = session.read(
                 sample,
@@ -211,6 +213,9 @@ class InstrumentWorker(threading.Thread):
         at = reading.calibration.at
         if due is None and reading.calibration.state == "unknown":
             reading = replace(reading, calibration=Calibration("valid", at))
+        order = self._journal.orders.next_for(self._settings.name)
+        if order is not None:
+            reading = replace(reading, sample=order.order.sample)
         token = self._journal.accept_reading(reading, source=self._settings.name)
         log.info("%s %s stored", token, reading.sample)
         self._refusals = 0

@@ -61,14 +61,23 @@ class Orders:
                 )
         return token
 
-    def open_for(self, sample: str) -> StoredOrder | None:
-        """The oldest open order of a sample name."""
+    def open_for(self, sample: str, instrument: str) -> StoredOrder | None:
+        """The oldest open order of a sample name that an instrument may fulfil."""
         rows = self._db.all(
-            "SELECT * FROM orders WHERE state = 'open' AND sample = ? "
-            "ORDER BY id LIMIT 1",
+            "SELECT * FROM orders WHERE state = 'open' AND sample = ? ORDER BY id",
             sample,
         )
-        return _stored(rows[0]) if rows else None
+        for one in map(_stored, rows):
+            if not one.template.instruments or instrument in one.template.instruments:
+                return one
+        return None
+
+    def next_for(self, instrument: str) -> StoredOrder | None:
+        """The oldest open order whose template names an instrument."""
+        for one in self.waiting():
+            if instrument in one.template.instruments:
+                return one
+        return None
 
     def waiting(self) -> tuple[StoredOrder, ...]:
         """Open orders, oldest first."""

@@ -45,6 +45,23 @@ def test_unknown_names_are_told_together(load, tmp_path) -> None:
     ]
 
 
+def test_template_names_what_is_configured(load) -> None:
+    template = """
+    [[template]]
+    name = "refinish"
+    routes = ["nett"]
+    instruments = ["bench", "bank"]
+    """
+
+    with pytest.raises(ConfigError) as caught:
+        check_against(load(TEXT + template), drivers={"xrite_mb"}, formats={"colornet"})
+
+    assert [line.split(": ", 2)[2] for line in str(caught.value).splitlines()] == [
+        'unknown routes "nett": did you mean "net"?',
+        'unknown instruments "bank": known are bench',
+    ]
+
+
 def test_nothing_known_is_said_so(load) -> None:
     with pytest.raises(ConfigError, match='unknown driver "xrite_mb": known are none'):
         check_against(load(TEXT), drivers=(), formats=["colornet"])

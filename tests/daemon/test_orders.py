@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import threading
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from paintlink.config import TemplateSettings
+from paintlink.config import InstrumentSettings, TemplateSettings
+from paintlink.daemon.instruments import InstrumentWorker
 from paintlink.daemon.order_worker import OrderWorker, label_facts
 from paintlink.errors import ExportError, InputError
 from paintlink.export import label
 from paintlink.intake import Inbox, InboxFolders, read_order, vin_problem
 from tests.daemon.conftest import make_reading
+from tests.daemon.test_acknowledge import Calibrated
 from tests.daemon.test_line import Shop
 
 GOOD_VIN = "1M8GDM9AXKP042788"
@@ -182,3 +185,37 @@ def test_site_label_is_sandboxed_and_explained(office: Office) -> None:
 def test_order_reader_names_its_file() -> None:
     with pytest.raises(InputError, match=r"^x\.json: sample is missing"):
         read_order(b"{}", source="x.json")
+
+
+def test_next_readings_of_a_named_instrument_fulfil_the_order(
+    office: Office, tmp_path: Path
+) -> None:
+    told: list[str] = []
+    bound = replace(REFINISH, name="bound", required=(), instruments=("bench",))
+    office.worker._templates = (bound,)
+    office.order("a.json", '{"template": "bound", "sample": "door left"}')
+    journal = office.shop.journal
+    worker = InstrumentWorker(
+        InstrumentSettings(name="bench", driver="xrite_ma", port="/dev/null"),
+        office.shop.settings.journal_path,
+        stop=threading.Event(),
+        wake_line=lambda: told.append("line"),
+    )
+    worker._journal = journal
+    named = replace(make_reading(raw=b"0"), sample="door left")
+
+    other = journal.accept_reading(named, source="other")
+    for raw in (b"1", b"2", b"3"):
+        worker._accept(make_reading(raw=raw), Calibrated())  # type: ignore[arg-type]
+    office.shop.drain()
+
+    third, ordered, aside = journal.jobs()
+    assert aside.token == other
+    assert aside.order_id is None
+    assert ordered.order_id is not None
+    assert [one.sample for one in journal.readings_of(ordered.id)] == ["door left"] * 2
+    assert (third.order_id, journal.reading(third.reading_id or 0).sample) == (
+        None,
+        "bonnet",
+    )
+    assert journal.orders.next_for("bench") is None

@@ -121,6 +121,15 @@ class TemplateSettings:
         Rule("a list of names of routes in quotes", _is_list),
         Key("The [[route]]s these jobs go to; every route that takes them when empty."),
     ] = ()
+    instruments: Annotated[
+        tuple[str, ...],
+        Rule("a list of names of instruments in quotes", _is_list),
+        Key(
+            "The [[instrument]]s whose next readings fulfil the oldest of these orders "
+            "by themselves, and those of no other do. When empty, readings of any "
+            "instrument do that bear the sample name of an order."
+        ),
+    ] = ()
     preview: Annotated[bool, Key("Whether a picture is drawn.")] = True
     pass_dE: Annotated[  # noqa: N815
         float,
