@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import cache
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from paintlink.color import (
     drawing_curve,
@@ -16,11 +17,12 @@ from paintlink.color import (
 )
 from paintlink.color.display import LUMINANCE
 from paintlink.model import ColorSpec, FloatArray, Observer
-from paintlink.preview.spline import CORNER_DEG, END_DEG, SPLINES, splines
+from paintlink.preview.spline import CORNER_DEG, DEGREE, END_DEG, SPLINES, splines
 
 TERMS = SPLINES + 1
 FAR_SIDE_ENDS_DEG = 45.0
-PAINTS_AT_ONCE = 500
+PAINTS_AT_ONCE = 64
+"""Many more, and OpenBLAS starts threads that cost more than they bring."""
 
 THETA_DEG = np.concatenate([
     np.arange(0.0, 30.0, 0.75),
@@ -128,11 +130,26 @@ def fit(factors: FloatArray) -> FloatArray:
     """
     values = factors / np.pi
     weight = _weight(values @ LUMINANCE) ** 2
-    basis = splines(THETA_DEG)
-    products = (basis[:, :, None] * basis[:, None, :]).reshape(len(basis), -1)
-    normal = (weight @ products).reshape(*weight.shape[:-1], SPLINES, SPLINES)
+    basis, products, places = _products()
+    normal = (weight @ products)[..., places]
     right = basis.T @ (weight[..., None] * values)
     return np.linalg.solve(normal, right).astype(np.float64)
+
+
+@cache
+def _products() -> tuple[FloatArray, FloatArray, NDArray[np.intp]]:
+    """Splines, products of those that overlap, and which of them each pair has.
+
+    The last product is 0, for the pairs that do not overlap.
+    """
+    basis = splines(THETA_DEG)
+    first, second = np.indices((SPLINES, SPLINES))
+    near = (second >= first) & (second - first <= DEGREE)
+    places = np.full((SPLINES, SPLINES), near.sum())
+    places[near] = np.arange(near.sum())
+    pairs = basis[:, first[near]] * basis[:, second[near]]
+    products = np.pad(pairs, ((0, 0), (0, 1)))
+    return basis, products, np.minimum(places, places.T)
 
 
 def _weight(luminance: FloatArray) -> FloatArray:

@@ -7,6 +7,7 @@ from collections import deque
 from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +23,7 @@ from paintlink.preview.forms import form
 from paintlink.preview.gloss import USUAL_ANGLE_DEG, roughness_of
 from paintlink.preview.scene import Band, Scene, band
 
-PAINTS_AT_ONCE = 120
+PAINTS_AT_ONCE = 128
 PRODUCTS_AT_ONCE = 1 << 18
 """Above it OpenBLAS starts threads of its own, which are in the way of ours."""
 
@@ -105,14 +106,25 @@ def _coats(
 
 def _draw(prepared: Band, inks: Float32Array) -> NDArray[np.uint8]:
     """Pictures of many paints, shape (paints, rows, columns, 3)."""
-    paints = max(1, PRODUCTS_AT_ONCE // max(prepared.light[0].size, 1))
-    return np.concatenate([
-        _draw_few(prepared, inks[start : start + paints])
-        for start in range(0, len(inks), paints)
-    ])
+    codes = np.empty((3, len(inks), len(prepared.pixels)), dtype=np.uint8)
+    few = max(1, PRODUCTS_AT_ONCE // max(prepared.light[0].size, 1))
+    grain = np.tile(prepared.dither, few)
+    for start in range(0, len(inks), few):
+        some = slice(start, start + few)
+        codes[:, some] = _codes(prepared, inks[some], grain)
+    pictures = np.repeat(prepared.plain[np.newaxis], len(inks), axis=0)
+    places = pictures.reshape(len(inks), -1, 3)
+    for run in _runs(prepared.pixels):
+        covered = slice(prepared.pixels[run][0], prepared.pixels[run][-1] + 1)
+        for channel in range(3):
+            places[:, covered, channel] = codes[channel, :, run]
+    return pictures
 
 
-def _draw_few(prepared: Band, inks: Float32Array) -> NDArray[np.uint8]:
+def _codes(
+    prepared: Band, inks: Float32Array, grain: Float32Array
+) -> NDArray[np.uint8]:
+    """Encoded colours of the covered pixels, shape (3, paints, n)."""
     paints, count = len(inks), len(prepared.pixels)
     seen = np.empty((3, paints, count), dtype=np.float32)
     for channel in range(3):
@@ -123,9 +135,12 @@ def _draw_few(prepared: Band, inks: Float32Array) -> NDArray[np.uint8]:
     seen += prepared.behind
     flat = seen.reshape(3, paints * count)
     cpu.into_gamut(flat)
-    codes = cpu.encoded(flat, np.tile(prepared.dither, paints))
-    pictures = np.repeat(prepared.plain[np.newaxis], paints, axis=0)
-    places = pictures.reshape(paints, -1, 3)
-    for channel, plane in enumerate(codes.reshape(3, paints, count)):
-        places[:, prepared.pixels, channel] = plane
-    return pictures
+    codes = cpu.encoded(flat, grain[: paints * count])
+    return codes.reshape(3, paints, count)
+
+
+def _runs(pixels: NDArray[np.intp]) -> list[slice]:
+    """Stretches in which one pixel follows the other."""
+    breaks = np.flatnonzero(np.diff(pixels) != 1) + 1
+    edges = [0, *breaks.tolist(), len(pixels)]
+    return [slice(first, last) for first, last in pairwise(edges) if first < last]
