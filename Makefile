@@ -3,9 +3,7 @@
 PYTHON ?= $(shell command -v python3.11 || command -v python3)
 VENV := .venv
 BIN := $(VENV)/bin
-# The tests of one file share what they set up, and stay on one core.
-SIDE_BY_SIDE := $(BIN)/python -m pytest -q --numprocesses auto --dist loadfile \
-    --durations 15
+SIDE_BY_SIDE := $(BIN)/python -m pytest -q --numprocesses auto --durations 15
 DEMO := demo
 LAB := .lab
 
@@ -36,13 +34,13 @@ lint: $(VENV)/developed ## Style, types, import contracts.
 	$(BIN)/lint-imports
 
 test: lint ## Every check but the long proofs.
-	$(SIDE_BY_SIDE) -m "not proof"
+	$(SIDE_BY_SIDE) --dist loadfile -m "not proof"
 
 proof: $(VENV)/developed ## The long proofs: kill sweeps, fuzzing at full count.
-	$(SIDE_BY_SIDE) -m proof --timeout 1200
+	$(SIDE_BY_SIDE) --dist loadgroup -m proof --timeout 1200
 
 coverage: $(VENV)/developed ## What the tests of `make test` reach.
-	$(SIDE_BY_SIDE) -m "not proof" --cov --cov-report=term:skip-covered
+	$(SIDE_BY_SIDE) --dist loadfile -m "not proof" --cov --cov-report=term:skip-covered
 
 lab: $(VENV)/developed ## The drivers on a real kernel with real USB, in a virtual machine.
 	tools/lab/build.sh $(LAB)

@@ -137,7 +137,7 @@ def test_mitsuba_agrees_within_its_own_noise(
         assert error < 0.6 * noise.mean()
         assert energy == pytest.approx(1, abs=0.002)
         # its error falls with the root of its time
-        equal_s = theirs_s * (noise.mean() / np.sqrt(2) / OUR_ERROR) ** 2
+        equal_s = theirs_s * float(noise.mean() / np.sqrt(2) / OUR_ERROR) ** 2
         record_property(f"times faster, paint {number}", equal_s / ours_s)
         record_property(
             f"times faster with the bake, paint {number}", equal_s / (bake_s + ours_s)

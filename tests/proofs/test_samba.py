@@ -17,7 +17,12 @@ from tests.daemon.test_line import Shop
 from tests.proofs.samba import Samba, mounted, samba
 from tests.proofs.stages import reading
 
-pytestmark = [pytest.mark.proof, pytest.mark.timeout(300)]
+# The server knows no port but the usual one.
+pytestmark = [
+    pytest.mark.proof,
+    pytest.mark.timeout(300),
+    pytest.mark.xdist_group("samba"),
+]
 
 LIMIT_S = 60.0
 
