@@ -76,6 +76,12 @@ class Deliverer:
         self._batch = Batch(TOGETHER)
         self._journal = journal
         self._routes = {route.name: route for route in routes}
+        # Nobody else's: looking at a share that hangs would hang this route, too.
+        self._own = [
+            route
+            for route in routes
+            if only in {None, route.name} and route.name not in without
+        ]
         self._formats = formats
         self._clock = clock
         self._only = only
@@ -142,7 +148,7 @@ class Deliverer:
 
     def _is_worth_a_look(self) -> bool:
         """Whether a folder has changed, or nobody has looked for a while."""
-        now, seen = self._clock(), tuple(map(_changed_at, self._routes.values()))
+        now, seen = self._clock(), tuple(map(_changed_at, self._own))
         if seen == self._seen and abs(now - self._looked_at) < LOOK_AGAIN_S:
             return False
         self._seen, self._looked_at = seen, now

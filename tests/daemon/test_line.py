@@ -19,7 +19,8 @@ from paintlink.config import (
     SiteSettings,
     StateSettings,
 )
-from paintlink.daemon.deliverer import staged_name
+from paintlink.daemon import deliverer
+from paintlink.daemon.deliverer import Deliverer, staged_name
 from paintlink.daemon.journal import Journal
 from paintlink.daemon.line import Line
 from paintlink.daemon.records import Job
@@ -299,6 +300,28 @@ def test_vanished_folder_does_not_count_as_taken(shop: Shop) -> None:
     shop.line.look_at_folders()
 
     assert {one.state for one in shop.job(token).deliveries} == {"written"}
+
+
+def test_folder_of_another_route_is_never_looked_at(
+    shop: Shop, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shop.journal.accept_file("a.xml", "hash", make_spec())
+    shop.drain()
+    looked: list[str] = []
+    monkeypatch.setattr(
+        deliverer, "_changed_at", lambda route: looked.append(route.name)
+    )
+    only = Deliverer(
+        shop.journal,
+        shop.settings.routes,
+        load_formats(),
+        clock=lambda: shop.now,
+        only="json",
+    )
+
+    only.look_at_folders()
+
+    assert looked == ["json"]
 
 
 def test_resend_writes_under_another_name(shop: Shop) -> None:
