@@ -26,7 +26,7 @@ from paintlink.model import FloatArray
 from paintlink.snap import STANDARD_ANGLES_DEG
 from paintlink.snap.batch import Question, nearest_many
 from paintlink.snap.conditions import Comparison, Conditions
-from paintlink.snap.index import Index
+from paintlink.snap.index import FIRST_QUESTION, Index
 from paintlink.snap.stock import Stock
 
 SIZES = (6_000, 100_000, 1_000_000, 10_000_000)
@@ -112,7 +112,7 @@ def ours(planes: FloatArray, wanted: FloatArray) -> list[Times]:
         start = time.perf_counter()
         index.grown(FORMULAS[formula])
         built = time.perf_counter() - start
-        index.searches = 1
+        index.searches = FIRST_QUESTION
         found.append(search(index, formula, wanted[: QUERIES[queries]]))
         if formula == "cie76":
             found[-1].note += f", tree built in {built:.2f} s"

@@ -21,6 +21,10 @@ from paintlink.snap.stock import Stock, stock_of
 from paintlink.snap.tree import Tree, build
 
 
+FIRST_QUESTION = 2
+"""Searches of one answer: it ranks by two formulas."""
+
+
 @dataclass(slots=True, eq=False, weakref_slot=True)
 class Index:
     """A library at some angles.
@@ -100,10 +104,10 @@ class Index:
         )
 
     def _quicker_to_scan(self, candidates: int, formula: Formula) -> bool:
-        """Few paints, or a first question: a tree costs more than one scan."""
+        """Few paints, or a first question: a tree costs more than a scan or two."""
         if candidates <= PRUNING[formula.id].scan_up_to:
             return True
-        return self.searches <= 1 and space_of(formula) not in self.trees
+        return self.searches <= FIRST_QUESTION and space_of(formula) not in self.trees
 
     def scan(self, comparison: Comparison, count: int, allowed: Mask | None) -> Ranked:
         """As `nearest`, by comparing every paint."""

@@ -13,6 +13,7 @@ from paintlink.library import Shelf, bundled, paint_spec
 from paintlink.library.csv_file import read_csv
 from paintlink.library.headings import Profile
 from paintlink.snap import INDEXES, nearest
+from paintlink.snap.index import FIRST_QUESTION
 from tests.library.csv_tables import rows, write_csv
 
 
@@ -46,7 +47,7 @@ def test_search_trees_outlast_the_process(settings: Settings) -> None:
     table = replace(known_paints(settings), library="Trees")
     target = paint_spec(table, 0, angles_deg=(15.0, 45.0, 110.0))
 
-    for _ in range(2):
+    for _ in range(FIRST_QUESTION + 1):
         nearest(target, table, formula="ciede2000")
 
     assert [path.suffix for path in settings.indexes_folder.iterdir()] == [".snap"]
