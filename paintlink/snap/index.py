@@ -20,7 +20,6 @@ from paintlink.snap.scan import Ranked, rank, shortlist, totals
 from paintlink.snap.stock import Stock, stock_of
 from paintlink.snap.tree import Tree, build
 
-
 FIRST_QUESTION = 2
 """Searches of one answer: it ranks by two formulas."""
 
