@@ -1,12 +1,12 @@
 """The formulation loop with everything real but the paint and the instrument.
 
 Journal, line, folders and files are the product's; the formulation software is the
-stand-in, which sees nothing but the files; panels come from a virtual booth.
+stand-in, which sees nothing but the files and knows the bundled paints; panels come
+from a virtual booth.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -28,48 +28,19 @@ from paintlink.daemon.line import Line
 from paintlink.daemon.records import Job
 from paintlink.export import load_formats
 from paintlink.intake import Inbox, InboxFolders
+from paintlink.library import bundled
 from paintlink.model import (
     Geometry,
     Instrument,
     Measurement,
-    PaintTable,
     Reading,
     Spectra,
 )
-from paintlink_simulators.colornet import Target, Watch
-from paintlink_simulators.paint import Formula, Panel, Repeatability, SprayBooth, noisy
-from tests.simulators.colornet.panels import ANGLES, Book
+from paintlink_simulators.colornet import BundledBook, Watch
+from paintlink_simulators.paint import Panel, Repeatability, SprayBooth, noisy
+from tests.simulators.colornet.panels import ANGLES
 
 NOON = datetime(2026, 11, 25, 12, 0, tzinfo=UTC)
-
-
-class Shelf:
-    """Formulas by paint code, as ColorNet has them; ColorSnap has their colours."""
-
-    def __init__(self, book: Book) -> None:
-        self.book = book
-        self.codes = tuple(f"VP{number:05d}" for number in range(len(book.formulas)))
-
-    def starts(self, code: str, target: Target) -> Sequence[Formula]:
-        return [
-            self.book.formulas[self.codes.index(code)],
-            *self.book.nearest(target.lab),
-        ][:3]
-
-    def table(self) -> PaintTable:
-        number = len(self.codes)
-        return PaintTable(
-            library="virtual",
-            generation="1",
-            synthetic=True,
-            observer="10",
-            ids=np.arange(number),
-            codes=self.codes,
-            names=self.codes,
-            finishes=("unknown",) * number,
-            angles_deg=tuple(ANGLES.tolist()),
-            lab=self.book.lab,
-        )
 
 
 class LoopShop:
@@ -78,7 +49,6 @@ class LoopShop:
     def __init__(
         self,
         folder: Path,
-        book: Book,
         booth: SprayBooth,
         rules: FormulationSettings,
     ) -> None:
@@ -102,17 +72,16 @@ class LoopShop:
             formulation=rules,
             preview=PreviewSettings(enabled=False),
         )
-        shelf = Shelf(book)
         self.journal = Journal(self.settings.journal_path)
         self.line = Line(
             self.journal,
             self.settings,
-            table=shelf.table(),
+            table=bundled(),
             formats=load_formats(),
             clock=lambda: self.now_s,
         )
         self.watch = Watch(
-            folder / "colornet", folder / "taken", folder / "answers", shelf
+            folder / "colornet", folder / "taken", folder / "answers", BundledBook()
         )
         self.answers = AnswerWorker(self.journal, self._inbox(), rules, "colornet")
         self.judge = Booth(self.journal, rules, "colornet")
