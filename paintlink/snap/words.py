@@ -22,9 +22,9 @@ PURE_WITHIN_DEG = 20.0
 """A red this close to the pure one is never said to get redder, but bluer."""
 
 
-LIGHTNESS = {"dL": ("lighter", "darker")}
-GREY = LIGHTNESS | {"da": ("redder", "greener"), "db": ("yellower", "bluer")}
-CHROMATIC = LIGHTNESS | {"dC": ("more chromatic", "less chromatic"), "dH": ("", "")}
+LIGHTNESS = "lighter", "darker"
+GREY = LIGHTNESS, ("redder", "greener"), ("yellower", "bluer")
+CHROMATIC = LIGHTNESS, ("more chromatic", "less chromatic"), None
 """Words for more and less of what painters look at; a hue turns towards a pure one."""
 
 
@@ -68,16 +68,16 @@ def _phrase(difference: AngleDifference, paint: Sequence[float]) -> str:
     """The largest amount among what painters look at in such a colour, in words."""
     _, a, b = paint
     grey = math.hypot(a, b) < CHROMATIC_FROM_C
-    axes = GREY if grey else CHROMATIC
-    axis = max(axes, key=lambda name: abs(getattr(difference, name)))
-    amount = getattr(difference, axis)
+    _, _, lightness, da, db, dC, dH = difference
+    amounts = (lightness, da, db) if grey else (lightness, dC, dH)
+    amount = max(amounts, key=abs)
     if abs(amount) < VISIBLE:
         return ""
-    if axis == "dH":
+    both = (GREY if grey else CHROMATIC)[amounts.index(amount)]
+    if both is None:
         hue_deg = math.degrees(math.atan2(b, a))
         return f"{abs(amount):.1f} {_towards(hue_deg, math.copysign(1.0, amount))}"
-    more, less = axes[axis]
-    return f"{abs(amount):.1f} {more if amount > 0.0 else less}"
+    return f"{abs(amount):.1f} {both[amount < 0.0]}"
 
 
 def _towards(hue_deg: float, turn: float) -> str:
