@@ -110,6 +110,19 @@ def test_ftdi_sends_its_status_when_it_has_nothing_else(
     assert function.in_packet(0x81) is None
 
 
+def test_ftdi_waits_for_a_host_that_reads(
+    instrument: xrite_ma.XriteMa, clock: ManualClock
+) -> None:
+    function = FtdiFunction(instrument)
+    assert function.due_at() == pytest.approx(clock() + 0.016)
+
+    clock.advance(60.0)
+
+    assert function.due_at() is None
+    assert function.in_packet(function.DATA_IN) == FtdiFunction.STATUS
+    assert function.due_at() == pytest.approx(clock() + 0.016)
+
+
 def test_ch341_registers_set_the_line(instrument: xrite_ma.XriteMa) -> None:
     function = Ch341Function(instrument)
 

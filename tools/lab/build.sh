@@ -27,7 +27,8 @@ package=$(apt-cache depends linux-image-amd64 |
 version=${package#linux-image-}
 if [ ! -e kernel/lib/modules/$version/modules.dep ] || [ ! -e vmlinuz ]; then
     rm -rf kernel udev ./*.deb
-    apt-get download -qq "$package" udev
+    # By name from the mirrors of this machine; root may write where user _apt may not.
+    apt-get download -qq -o APT::Sandbox::User=root "$package" udev
     tree=./lib/modules/$version
     dpkg --fsys-tarfile "$package"_*.deb | tar x --one-top-level=kernel \
         "./boot/vmlinuz-$version" \

@@ -165,7 +165,7 @@ class Engine:
             self._leave()
 
     def _overdue(self) -> bool:
-        due = self._function.due_at()
+        due = self._function.simulator.due_at()
         return due is not None and due <= self._function.simulator.clock()
 
     def _advance(self, address: int, urb: Urb) -> bool:

@@ -155,6 +155,8 @@ class FtdiFunction(SerialFunction):
     EIGHTHS: ClassVar[tuple[int, ...]] = (0, 4, 2, 1, 3, 5, 6, 7)
     LAZY_S: ClassVar[float] = 0.0
     """The shortest time between two packets that hold the status alone."""
+    UNREAD_S: ClassVar[float] = 0.1
+    """A packet that is overdue for so long waits for a host that reads."""
 
     def __init__(self, simulator: Simulator, **options: Any) -> None:
         super().__init__(simulator, **options)
@@ -200,7 +202,9 @@ class FtdiFunction(SerialFunction):
     def due_at(self) -> float | None:
         """Soon at the latest: the adapter sends its status again and again."""
         patience_s = self._latency_s if self._ready else self._status_s
-        return earlier(super().due_at(), self._sent_at + patience_s)
+        due_at = self._sent_at + patience_s
+        unread = self.simulator.clock() > due_at + self.UNREAD_S
+        return super().due_at() if unread else earlier(super().due_at(), due_at)
 
     @property
     def _status_s(self) -> float:
