@@ -1,4 +1,4 @@
-"""Who draws: OpenGL where it can be had, numpy everywhere."""
+"""Who draws: OpenGL where it is faster, numpy everywhere."""
 
 from __future__ import annotations
 
@@ -13,6 +13,9 @@ from paintlink.preview import cpu, gl
 from paintlink.preview.arrays import Float32Array
 from paintlink.preview.picture import Backend
 from paintlink.preview.scene import Band, Scene, band
+
+SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software")
+"""In the names of drivers that compute on the processor, where numpy is faster."""
 
 Draw = Callable[[Band, Float32Array], NDArray[np.uint8]]
 
@@ -46,8 +49,13 @@ def draw(scene: Scene, inks: Float32Array, backend: Backend) -> Drawn:
     if backend == "cpu":
         return Drawn(*_whole(scene, inks, cpu.draw), "cpu", "numpy, as asked for")
     gl.prepare()
+    band(scene, scene.bands()[0])  # while the context opens
     try:
-        return Drawn(*_whole(scene, inks, gl.draw), "gl", gl.renderer())
+        renderer = gl.renderer()
+        if backend == "auto" and any(name in renderer.lower() for name in SOFTWARE):
+            reason = f"numpy: faster than {renderer}"
+            return Drawn(*_whole(scene, inks, cpu.draw), "cpu", reason)
+        return Drawn(*_whole(scene, inks, gl.draw), "gl", renderer)
     except PreviewError as trouble:
         if backend == "gl":
             msg = f"{trouble}: install a working driver, or let numpy draw (cpu, auto)"

@@ -50,8 +50,8 @@ def render(
     size
         Width and height in pixels, 16 to 4096.
     backend
-        ``auto`` draws with OpenGL where it can and with numpy where not; the two agree
-        within one step of 255.
+        ``auto`` draws with OpenGL where hardware does it, else with numpy; the two
+        agree within one step of 255.
     pattern
         How several paints share the object.
     turn_deg, perspective

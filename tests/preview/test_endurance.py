@@ -21,7 +21,7 @@ pytestmark = [
 PAINTS = (RED, SILVER, PEARL, GREY)
 
 
-@pytest.mark.parametrize("backend", ["cpu", "auto"])
+@pytest.mark.parametrize("backend", ["cpu", "gl"])
 def test_twenty_thousand_pictures_by_four_threads_need_no_more_memory(
     backend: str,
 ) -> None:

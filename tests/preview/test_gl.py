@@ -9,7 +9,15 @@ import pytest
 
 from paintlink.errors import PreviewError
 from paintlink.model import ColorSpec, Gloss
-from paintlink.preview import gl, light_names, object_names, painter, probe, render
+from paintlink.preview import (
+    backends,
+    gl,
+    light_names,
+    object_names,
+    painter,
+    probe,
+    render,
+)
 from tests.preview.truth import GREY, PEARL, RED, SILVER
 
 pytestmark = pytest.mark.usefixtures("coarse_bake")
@@ -59,11 +67,26 @@ def test_many_bands_draw_the_same_too() -> None:
     assert np.abs(by_gl - by_cpu).max() <= 1
 
 
-def test_automatic_choice_is_opengl_and_says_which(opengl: str) -> None:
+def test_automatic_choice_is_opengl_on_hardware_and_says_which(
+    opengl: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(backends, "SOFTWARE", ())
+
     picture = render([SILVER], size=64)
 
     assert picture.backend == "gl"
     assert picture.reason == opengl
+
+
+def test_automatic_choice_is_numpy_where_opengl_is_software(
+    opengl: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(backends, "SOFTWARE", (opengl.split()[0].lower(),))
+
+    picture = render([SILVER], size=64)
+
+    assert picture.backend == "cpu"
+    assert picture.reason == f"numpy: faster than {opengl}"
 
 
 def test_threads_share_the_one_context() -> None:

@@ -28,11 +28,13 @@ print(json.dumps(answer))
 
 FORK = """
 import json, os
+from paintlink.errors import PreviewError
 from paintlink.preview import gl, render
 from tests.preview.truth import SILVER
-first = render([SILVER], object="sphere", size=32)
-if first.backend != "gl":
-    print(json.dumps(["none", first.reason, 0]))
+try:
+    render([SILVER], object="sphere", size=32, backend="gl")
+except PreviewError as error:
+    print(json.dumps(["none", str(error), 0]))
     raise SystemExit
 reader, writer = os.pipe()
 child = os.fork()

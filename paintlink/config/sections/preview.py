@@ -27,7 +27,7 @@ class PreviewSettings:
         Literal["auto", "gl", "cpu"],
         Key(
             'What draws: "gl" the graphics hardware or driver, "cpu" plain '
-            'arithmetic, "auto" the first of the two that works here.'
+            'arithmetic, "auto" the faster of the two that works here.'
         ),
     ] = "auto"
     caption: Annotated[
