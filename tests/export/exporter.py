@@ -83,9 +83,16 @@ PROTOCOLS = {
     "in-place": in_place,
 }
 
+
+def export(protocol: str, folder: Path, journal_path: Path) -> None:
+    """Deliver what is waiting, by a protocol."""
+    journal = Journal(journal_path)
+    for reading, state in journal.waiting():
+        PROTOCOLS[protocol](folder, journal, reading, state)
+    journal.db.close()
+
+
 if __name__ == "__main__":
-    protocol, folder_name, journal_name = sys.argv[1:]
-    if protocol != "idle":
-        journal = Journal(Path(journal_name))
-        for reading, state in journal.waiting():
-            PROTOCOLS[protocol](Path(folder_name), journal, reading, state)
+    named, folder_name, journal_name = sys.argv[1:]
+    if named != "idle":
+        export(named, Path(folder_name), Path(journal_name))

@@ -9,7 +9,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from tests.export.exporter import READINGS, content
+from tests.export.exporter import READINGS, content, export
 
 EXPORTER = Path(__file__).with_name("exporter.py")
 INTERPRETER = Path(sys.executable).resolve()  # strace would count a wrapper's calls
@@ -58,6 +58,11 @@ class Place:
             self.folder = self.root / "hot"
             self.folder.mkdir()
         self.consumer = Consumer(self.folder)
+
+    def work(self) -> None:
+        """What the exporter does, in this process."""
+        assert self.folder is not None
+        export(self.protocol, self.folder, self.root / "journal.db")
 
     def command(self, *tracer: str) -> list[str]:
         exporter = [str(INTERPRETER), str(EXPORTER), self.protocol]

@@ -1,32 +1,24 @@
 """The exporter killed at its system calls while a consumer snatches the files.
 
-strace counts calls per system call and per thread, so each call is swept alone.
+The usual tests run it as a program under strace; the proofs sweep every call of a child
+that is forked for each point.
 """
 
 from __future__ import annotations
 
+import errno
 import re
 import shutil
 from collections import Counter
 from collections.abc import Iterator
-from itertools import count
 from pathlib import Path
 
 import pytest
 
 from tests.export.exporter import READINGS
-from tests.export.exporting import (
-    Consumer,
-    Place,
-    calls_of_the_work,
-    number_of_calls,
-    traced,
-)
+from tests.export.exporting import Consumer, Place, traced
+from tests.proofs import tracing
 
-CALLS = [
-    "fdatasync", "fsync", "ftruncate", "link", "linkat", "mkdir", "mkdirat", "openat",
-    "pwrite64", "rename", "renameat", "renameat2", "unlink", "unlinkat", "write",
-]  # fmt: skip
 NO_NOREPLACE = "renameat2:error=EINVAL"
 
 pytestmark = pytest.mark.skipif(
@@ -34,25 +26,32 @@ pytestmark = pytest.mark.skipif(
 )
 
 
-def killed_and_recovered(
-    root: Path, call: str, at: int, protocol: str = "token"
-) -> tuple[bool, Consumer]:
+def killed_and_recovered(root: Path, call: str, at: int) -> tuple[bool, Consumer]:
     """Whether the kill hit, and what the consumer got in the end."""
-    place = Place(root, protocol)
+    place = Place(root)
     hit = place.export(*traced(call, f"{call}:signal=KILL:when={at}")) != 0
     if hit:
         assert place.export() == 0, f"recovery failed after {call} {at}"
     return hit, place.consumer
 
 
-def sweep(call: str, tmp_path: Path, protocol: str = "token") -> Iterator[Consumer]:
-    """The consumer after a kill at each use of a system call and after no kill."""
-    first = number_of_calls(call, tmp_path / "idle", "idle") + 1
-    for at in count(first):
-        hit, consumer = killed_and_recovered(tmp_path / str(at), call, at, protocol)
-        yield consumer
-        if not hit:
-            return
+def sweep(root: Path, protocol: str = "token") -> Iterator[tuple[str, Consumer]]:
+    """Each call that a kill hit, and what the consumer got in the end."""
+    clean = tracing.traced(Place(root / "clean", protocol).work)
+    assert clean.status == 0
+    for at in range(1, len(clean.calls) + 1):
+        place = Place(root / str(at), protocol)
+        run = tracing.traced(place.work, kill_at=at, each=place.consumer.take)
+        assert run.status is None
+        yield run.calls[-1], recovered(place)
+
+
+def recovered(place: Place) -> Consumer:
+    """What the consumer got once the exporter has been started again."""
+    place.consumer.take()
+    assert tracing.traced(place.work).status == 0
+    place.consumer.take()
+    return place.consumer
 
 
 @pytest.mark.parametrize(
@@ -129,63 +128,64 @@ def test_recovery_syncs_before_it_says_published(tmp_path: Path) -> None:
     ]
 
 
+@tracing.needs_tracing
 @pytest.mark.proof
 @pytest.mark.timeout(900)
-@pytest.mark.parametrize("call", CALLS)
-def test_no_kill_point_loses_doubles_or_tears(tmp_path: Path, call: str) -> None:
-    points = 0
-    for consumer in sweep(call, tmp_path):
-        points += 1
+def test_no_kill_point_loses_doubles_or_tears(tmp_path: Path) -> None:
+    points: Counter[str] = Counter()
+    for call, consumer in sweep(tmp_path):
+        points[call] += 1
         assert (consumer.lost(), consumer.doubled(), consumer.torn) == ([], [], [])
 
-    print(f"{call}: {points} runs, the last one without a kill")  # noqa: T201
-    assert points >= 1
+    print(dict(points))  # noqa: T201
+    assert points["renameat2"] == len(READINGS)
+    assert points["fsync"] == 5 * len(READINGS)
+    assert points.total() > 100
 
 
+@tracing.needs_tracing
 @pytest.mark.proof
 @pytest.mark.timeout(900)
 @pytest.mark.parametrize(
     ("call", "error"),
     [
-        ("fsync", "EIO"),
-        ("mkdirat", "ENOSPC"),
-        ("openat", "EACCES"),
-        ("renameat2", "EIO"),
-        ("unlinkat", "EACCES"),
-        ("write", "ENOSPC"),
+        ("fsync", errno.EIO),
+        ("mkdirat", errno.ENOSPC),
+        ("openat", errno.EACCES),
+        ("renameat2", errno.EIO),
+        ("unlinkat", errno.EACCES),
+        ("write", errno.ENOSPC),
     ],
 )
-def test_no_error_loses_doubles_or_tears(tmp_path: Path, call: str, error: str) -> None:
-    points = calls_of_the_work(call, tmp_path)
-    for at in points:
+def test_no_error_loses_doubles_or_tears(tmp_path: Path, call: str, error: int) -> None:
+    clean = tracing.traced(Place(tmp_path / "clean").work)
+    number = clean.calls.count(call)
+    for at in range(1, number + 1):
         place = Place(tmp_path / str(at))
 
-        place.export(*traced(call, f"{call}:error={error}:when={at}"))
-        recovered = place.export()
+        run = tracing.traced(place.work, fail=(call, at, error))
 
-        consumer = place.consumer
-        assert recovered == 0
+        consumer = recovered(place)
+        assert run.status is not None
         assert (consumer.lost(), consumer.doubled(), consumer.torn) == ([], [], [])
-    assert len(points) >= 1
+    assert number >= 1
 
 
+@tracing.needs_tracing
 @pytest.mark.proof
 @pytest.mark.timeout(900)
 @pytest.mark.parametrize(
-    ("protocol", "call", "damage"),
-    [
-        ("mark-after", "pwrite64", "doubled"),
-        ("mark-before", "renameat2", "lost"),
-        ("in-place", "write", "torn"),
-    ],
+    ("protocol", "damage"),
+    [("mark-after", "doubled"), ("mark-before", "lost"), ("in-place", "torn")],
 )
 def test_the_sweep_notices_wrong_protocols(
-    tmp_path: Path, protocol: str, call: str, damage: str
+    tmp_path: Path, protocol: str, damage: str
 ) -> None:
-    seen = {"doubled": 0, "lost": 0, "torn": 0}
-    for consumer in sweep(call, tmp_path, protocol):
-        seen["doubled"] += len(consumer.doubled())
-        seen["lost"] += len(consumer.lost())
-        seen["torn"] += len(consumer.torn)
-
-    assert seen[damage] > 0
+    for _, consumer in sweep(tmp_path, protocol):
+        if {
+            "doubled": consumer.doubled(),
+            "lost": consumer.lost(),
+            "torn": consumer.torn,
+        }[damage]:
+            return
+    pytest.fail(f"no kill shows that {protocol} is wrong")
