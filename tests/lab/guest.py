@@ -22,6 +22,7 @@ from paintlink.conformance import stands as fakes
 from paintlink_simulators.usb import FtdiFunction, engine
 from tests.lab import stands
 from tests.lab.bus import compare_usb
+from tests.lab.lines import compare_lines
 from tests.lab.rules import compare_rules
 
 # Past identification, so that the fault meets the reading itself.
@@ -42,7 +43,7 @@ def main() -> int:
     chosen = sys.argv[1:] or list(subjects())
     for driver in chosen:
         _warm_up(subject(driver))
-    lines = compare_usb() + compare_rules()
+    lines = compare_usb() + compare_rules() + compare_lines()
     results: list[Result] = []
     for driver in chosen:
         seen, different = examined(driver)

@@ -5,13 +5,12 @@ from __future__ import annotations
 import queue
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import Path
 
 from paintlink.conformance import Subject
 from paintlink.conformance.stands import Build, Hurried, Stand, hurried
 from paintlink.links import open_link
 from paintlink_simulators.usb import AcmFunction, UsbFunction, UsbSocket
-from tests.lab.vhci import Plug, wait_for
+from tests.lab.vhci import Plug, serial_node, wait_for
 
 Make = Callable[[Subject, object, str], UsbFunction]
 
@@ -44,11 +43,8 @@ class Bay:
             return None
         if self._usb is not None and not list(place.glob("1-*/tty*")):
             return f"usb://{self._usb.usb_id}/{self.serial}"
-        for name in ("1-*:*/ttyUSB*", "1-*:*/tty/ttyACM*"):
-            for node in place.glob(name):
-                if Path("/dev", node.name).exists():
-                    return f"/dev/{node.name}"
-        return None
+        node = serial_node(place)
+        return str(node) if node else None
 
 
 class Bays:

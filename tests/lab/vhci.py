@@ -67,6 +67,16 @@ class Plug:
         )
 
 
+def serial_node(place: Path) -> Path | None:
+    """The serial port of the device at ``place``, once it can be opened."""
+    for pattern in ("1-*:*/ttyUSB*", "1-*:*/tty/ttyACM*"):
+        for found in place.glob(pattern):
+            node = Path("/dev", found.name)
+            if node.exists():
+                return node
+    return None
+
+
 def wait_for(ready: Callable[[], T | None], what: str) -> T:
     """What ``ready`` returns as soon as that is true.
 
