@@ -131,9 +131,9 @@ def test_recovery_syncs_before_it_says_published(tmp_path: Path) -> None:
 @tracing.needs_tracing
 @pytest.mark.proof
 @pytest.mark.timeout(900)
-def test_no_kill_point_loses_doubles_or_tears(tmp_path: Path) -> None:
+def test_no_kill_point_loses_doubles_or_tears(memory: Path) -> None:
     points: Counter[str] = Counter()
-    for call, consumer in sweep(tmp_path):
+    for call, consumer in sweep(memory):
         points[call] += 1
         assert (consumer.lost(), consumer.doubled(), consumer.torn) == ([], [], [])
 
@@ -157,11 +157,11 @@ def test_no_kill_point_loses_doubles_or_tears(tmp_path: Path) -> None:
         ("write", errno.ENOSPC),
     ],
 )
-def test_no_error_loses_doubles_or_tears(tmp_path: Path, call: str, error: int) -> None:
-    clean = tracing.traced(Place(tmp_path / "clean").work)
+def test_no_error_loses_doubles_or_tears(memory: Path, call: str, error: int) -> None:
+    clean = tracing.traced(Place(memory / "clean").work)
     number = clean.calls.count(call)
     for at in range(1, number + 1):
-        place = Place(tmp_path / str(at))
+        place = Place(memory / str(at))
 
         run = tracing.traced(place.work, fail=(call, at, error))
 
@@ -179,9 +179,9 @@ def test_no_error_loses_doubles_or_tears(tmp_path: Path, call: str, error: int) 
     [("mark-after", "doubled"), ("mark-before", "lost"), ("in-place", "torn")],
 )
 def test_the_sweep_notices_wrong_protocols(
-    tmp_path: Path, protocol: str, damage: str
+    memory: Path, protocol: str, damage: str
 ) -> None:
-    for _, consumer in sweep(tmp_path, protocol):
+    for _, consumer in sweep(memory, protocol):
         if {
             "doubled": consumer.doubled(),
             "lost": consumer.lost(),

@@ -74,9 +74,9 @@ def test_some_errors_of_the_folder_lose_nothing(tmp_path: Path) -> None:
     ("stage", "calls", "least"), [("route", CALLS, 150), ("intake", JOURNAL_CALLS, 40)]
 )
 def test_no_error_loses_doubles_or_sticks(
-    tmp_path: Path, stage: str, calls: tuple[str, ...], least: int
+    memory: Path, stage: str, calls: tuple[str, ...], least: int
 ) -> None:
-    points, bad = failed_at(stage, tmp_path, calls)
+    points, bad = failed_at(stage, memory, calls)
 
     print(f"{stage}: {points} errors, faults {dict(bad)}")  # noqa: T201
     assert points >= least
@@ -94,9 +94,9 @@ def intake(stages: Stages) -> None:
 
 @pytest.mark.parametrize("at", [1, 3, 4])
 def test_failed_sync_of_the_journal_is_never_acknowledged_or_retried(
-    tmp_path: Path, at: int
+    memory: Path, at: int
 ) -> None:
-    stages = Stages(tmp_path / "shop")
+    stages = Stages(memory / "shop")
     stages.journal().close()
 
     run = traced(lambda: intake(stages), fail=("fdatasync", at, errno.EIO))
@@ -112,13 +112,13 @@ def test_failed_sync_of_the_journal_is_never_acknowledged_or_retried(
     assert {reading(number).measurement.raw for number in acknowledged} <= raws
 
 
-def test_full_state_disk_is_not_acknowledged_and_heals(tmp_path: Path) -> None:
-    stages = Stages(tmp_path / "template")
+def test_full_state_disk_is_not_acknowledged_and_heals(memory: Path) -> None:
+    stages = Stages(memory / "template")
     stages.journal().close()
-    writes = traced(copied(stages.root, tmp_path / "clean").work("intake")).calls
+    writes = traced(copied(stages.root, memory / "clean").work("intake")).calls
     ended: Counter[int | None] = Counter()
     for at in range(1, writes.count("pwrite64") + 1, 5):
-        shop = copied(stages.root, tmp_path / str(at))
+        shop = copied(stages.root, memory / str(at))
         fail = ("pwrite64", at, errno.ENOSPC)
         run = traced(lambda: intake(shop), fail=fail)  # noqa: B023
         ended[run.status] += 1

@@ -138,8 +138,8 @@ def test_some_kills_lose_and_double_nothing(tmp_path: Path, stage: str) -> None:
 
 @pytest.mark.proof
 @pytest.mark.parametrize("stage", list(BEFORE))
-def test_no_kill_point_of_a_thread_loses_or_doubles(tmp_path: Path, stage: str) -> None:
-    points, bad = sweep(stage, tmp_path)
+def test_no_kill_point_of_a_thread_loses_or_doubles(memory: Path, stage: str) -> None:
+    points, bad = sweep(stage, memory)
 
     for call, number in sorted(points.items()):
         print(f"{stage:8} {call:16} {number:4} points")  # noqa: T201
