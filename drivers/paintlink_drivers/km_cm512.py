@@ -141,7 +141,8 @@ class Reader:
 
 def percents(reply: str) -> list[float]:
     """Return the 31 percents of a spectrum; nothing when the reply is another one."""
-    fields = [field.strip() for field in reply.split(",")[1:]]
+    # Blanks stand at the end of a reply only: within one they were spliced in.
+    fields = reply.strip().split(",")[1:]
     whole = len(fields) == len(instrument.BANDS_NM)
     spectrum = whole and all(PERCENT.fullmatch(field) for field in fields)
     return [float(field) for field in fields] if spectrum else []

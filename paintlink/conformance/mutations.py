@@ -19,6 +19,7 @@ PERIOD = 8
 SHARES = (0.1, 0.3, 1.0)
 LONGEST_S = 400.0
 PAUSE_S = 2.0
+GOLDEN = (5.0**0.5 - 1.0) / 2.0
 LAST_DIGIT = 1e-4
 ENOUGH = 20
 # Longer than the service waits: time passes by the waits, and nobody cancels.
@@ -69,7 +70,7 @@ class _Bench:
         self.subject = subject
         self.clock = kit.ManualClock()
         self._panel = panel(kit)
-        self._rng = np.random.default_rng(seed)
+        self._level = float(np.random.default_rng(seed).uniform())
         self._instrument = subject.simulator.create(
             self._panel, clock=self.clock, seed=seed, repeatability=kit.EXACT
         )
@@ -92,7 +93,10 @@ class _Bench:
         self.line.share = share
         self._port.read(PAUSE_S)
         self.clock.advance(PAUSE_S)
-        factors = self._panel.factors * self._rng.uniform(0.5, 1.0)
+        # In steps that come near none of the last hundred: a panel that reads as the
+        # one before, to the last digit, would be taken for a reading sent twice.
+        self._level = (self._level + GOLDEN) % 1.0
+        factors = self._panel.factors * (0.5 + 0.5 * self._level)
         self._instrument.panel = replace(self._panel, factors=factors)
 
     def is_true(self, reading: Measurement) -> bool:

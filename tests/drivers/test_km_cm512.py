@@ -14,6 +14,7 @@ from paintlink.errors import (
 )
 from paintlink.instrument import load_driver
 from paintlink.model import Instrument, Reading
+from paintlink_drivers.km_cm512 import percents
 from tests.drivers.peer import Peer, connect
 
 # docs/wire/km_cm512.md, section 7.
@@ -296,3 +297,11 @@ def test_driver_says_it_never_met_hardware():
 
     assert not info.hardware_tested
     assert info.label == "Konica Minolta CM-512m3A, CM-512m3"
+
+
+def test_blanks_within_a_spectrum_were_spliced_in() -> None:
+    fields = ["010.00"] * 31
+    spliced = [*fields[:6], "000.00  ", *fields[7:]]
+
+    assert percents(",".join(["OK00", *fields]) + "   ") == [10.0] * 31
+    assert percents(",".join(["OK00", *spliced])) == []
