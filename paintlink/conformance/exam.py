@@ -33,7 +33,7 @@ NAMED = (LinkError, ProtocolError, InstrumentError, ReadingError)
 ASKED_ALONE = 3
 BUSY = (InstrumentError, LinkTimeoutError, ProtocolError)
 ANGLES = np.array([15.0, 25.0, 45.0, 75.0, 110.0])
-WORKERS = 48
+WORKERS = 24
 
 
 def cases(
@@ -69,9 +69,9 @@ def examine_all(
 ) -> list[Result]:
     """The answers, many at once: where time is real they mostly wait.
 
-    What is refused although nothing is wrong, or although memory gives a reading, is
-    asked again, alone, at most three times: a busy machine pauses longer than the
-    silence that ends an answer. No other failure is.
+    What is refused although nothing is wrong, and what differs from the answer in
+    memory, is asked again, alone, at most three times: a busy machine pauses longer
+    than the silence that ends an answer. No other failure is.
     """
     questions = list(questions)
     with ThreadPoolExecutor(workers) as pool:
@@ -91,10 +91,13 @@ def _asked_alone(question: tuple[Subject, Case], answer: Result) -> Result:
 
 
 def _perhaps_busy(subject: Subject, answer: Result) -> bool:
-    refused = answer.text.split(":")[0] in {error.__name__ for error in BUSY}
-    if not refused or answer.case.transport == "memory":
+    case = answer.case
+    if case.transport == "memory":
         return False
-    return answer.verdict == "failed" or _in_memory(subject, answer.case) == "reading"
+    if answer.verdict == "failed":
+        return answer.text.split(":")[0] in {error.__name__ for error in BUSY}
+    bundled = case.fault in subject.kit.BUNDLED
+    return not bundled and answer.verdict != _in_memory(subject, case)
 
 
 @cache
