@@ -61,6 +61,8 @@ class Painter:
         triangle.program["inks"].write(layers.transpose(2, 0, 3, 1).tobytes())
         target.use()
         triangle.render(vertices=3)
+        # llvmpipe draws on all processors for this, but not for a read that waits.
+        self._context.finish()
         pixels = target.read(components=4, alignment=1)
         return np.frombuffer(pixels, np.uint8).reshape(-1, 4)[:count].T
 
