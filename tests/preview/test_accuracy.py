@@ -105,8 +105,8 @@ def test_effect_colours_of_the_library_are_within_the_goals(light: str) -> None:
 @pytest.mark.proof
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize("light", ["studio", "sky"])
-def test_a_thousand_effect_colours_are_within_the_goals(light: str) -> None:
-    assert_goals(light, errors_of(light, library_effects(1000)))
+def test_every_effect_colour_of_the_library_is_within_the_goals(light: str) -> None:
+    assert_goals(light, errors_of(light, library_effects(3000)))
 
 
 @pytest.mark.parametrize("light", ["studio", "sky"])
