@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from paintlink.late import late
 
 if TYPE_CHECKING:
     from paintlink.config._defaults import default_settings
@@ -66,9 +67,4 @@ _HOMES = {
 }
 """Module of each name, imported when it is first asked for: most commands need few."""
 
-
-def __getattr__(name: str) -> Any:
-    if name not in _HOMES:
-        msg = f"module {__name__!r} has no attribute {name!r}"
-        raise AttributeError(msg)
-    return getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
+__getattr__ = late(__name__, _HOMES)

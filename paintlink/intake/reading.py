@@ -74,7 +74,7 @@ def read_colours(path: Path, options: Options | None = None) -> tuple[ColorSpec,
     found = read_any(path, options=options)
     if not found.specs:
         reasons = "; ".join(item.refused for item in found.items)
-        msg = f"{found.source}: no colour can be drawn: {reasons}"
+        msg = f"{found.source}: no colour can be used: {reasons}"
         raise InputError(msg)
     return found.specs
 

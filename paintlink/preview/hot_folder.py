@@ -66,7 +66,11 @@ class HotFolder:
 
     def step(self) -> Drawn | None:
         """What became of the next file; None when none is waiting."""
-        for path in sorted(self._folder.iterdir()):
+        paths = sorted(self._folder.iterdir())
+        self._settled = {
+            one: self._settled[one] for one in paths if one in self._settled
+        }
+        for path in paths:
             digest = self._waiting(path)
             if digest:
                 return self._drawn(path, digest)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from paintlink.config import default_settings, load_settings
+from paintlink.config import default_settings, load_settings, load_snap_settings
 from paintlink.errors import ConfigError
 
 
@@ -45,6 +45,18 @@ def test_environment_works_without_a_file(
     assert settings.source is None
     assert settings.site_folder == tmp_path / "here"
     assert settings.snap == default_settings(environ=environ).snap
+
+
+@pytest.mark.parametrize("environ", [{}, {"PAINTLINK__SNAP__FORMULA": "ciede2000"}])
+def test_snap_section_alone_is_that_of_the_whole(
+    environ: dict[str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("paintlink.config._load.find_config", lambda _: None)
+
+    alone = load_snap_settings(environ=environ)
+
+    assert alone == load_settings(environ=environ).snap
+    assert alone.formula == environ.get("PAINTLINK__SNAP__FORMULA", "cie76")
 
 
 def test_other_variables_are_left_alone(load) -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from paintlink.errors import ConfigError, LibraryError
 from paintlink.library import FacetChoice, Filter, bundled, facet_of, parse_choices
-from paintlink.library.facets import facet
+from paintlink.library.facets import LazyFacets, facet
 from paintlink.model import PaintTable
 
 
@@ -24,6 +24,16 @@ def test_values_are_sorted_and_empty_ones_are_missing() -> None:
     assert found.values == ("a", "b")
     assert found.codes.tolist() == [1, -1, 0, 1]
     assert [found.value(row) for row in range(4)] == ["b", "", "a", "b"]
+
+
+def test_asking_for_a_column_by_name_does_not_read_it() -> None:
+    read: list[str] = []
+    facets = LazyFacets({"group": lambda: read.append("group") or ["a"]})
+
+    assert "group" in facets
+    assert "brand" not in facets
+    assert read == []
+    assert (facets["group"].values, read) == (("a",), ["group"])
 
 
 def test_column_without_any_value_has_no_values() -> None:

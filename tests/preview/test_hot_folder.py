@@ -54,6 +54,18 @@ def test_file_gets_a_picture_and_its_facts(hot: HotFolder, tmp_path: Path) -> No
     assert document["error"] == ""
 
 
+def test_files_that_are_gone_are_forgotten(hot: HotFolder, tmp_path: Path) -> None:
+    path = drop(tmp_path / "paint.txt", "red")
+    for _ in range(2):
+        hot.step()
+    assert list(hot._settled) == [path]
+
+    path.unlink()
+    hot.step()
+
+    assert not hot._settled
+
+
 def test_nothing_is_drawn_twice_until_it_changes(
     hot: HotFolder, tmp_path: Path
 ) -> None:

@@ -9,8 +9,9 @@ import pytest
 
 from paintlink.library import bundled, find, paint_spec
 from paintlink.model import Facet, FloatArray
-from paintlink.snap import Options, answer, confidence, nearest
-from tests.snap.conftest import make_table, make_target
+from paintlink.snap import INDEXES, Options, answer, confidence, nearest
+from paintlink.snap.conditions import Conditions
+from tests.snap.conftest import STANDARD, make_table, make_target
 
 GREY = np.array([[50.0, 0.0, 0.0]] * 3)
 RED = np.array([[50.0, 40.0, 20.0]] * 3)
@@ -27,6 +28,18 @@ def test_list_is_the_one_of_the_search() -> None:
     found = answer(spec, table, Options(top=7, formula="ciede2000"))
 
     assert found.matches == nearest(spec, table, top=7, formula="ciede2000")
+
+
+def test_one_answer_grows_no_tree_and_later_ones_do() -> None:
+    table = replace(bundled(), library="Asked first")
+    spec = paint_spec(table, 4321, angles_deg=STANDARD)
+
+    grown = []
+    for _ in range(2):
+        answer(spec, table)
+        grown.append(bool(INDEXES.of(table, Conditions(STANDARD)).trees))
+
+    assert grown == [False, True]
 
 
 def test_second_formula_gives_its_own_rank() -> None:
